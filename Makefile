@@ -7,7 +7,7 @@ MAKEFLAGS += --no-print-directory
 CHAPTERS := $(wildcard chapters/ch[0-9][0-9]_*)
 PROGRAMS := $(sort $(foreach c,$(CHAPTERS),$(if $(wildcard $c/*.cpp),$(firstword $(subst _, ,$(notdir $c))))))
 WOVEN := README.md $(wildcard examples/README.md chapters/notation.md chapters/ch[0-9][0-9]_*/README.md)
-TEXTS := $(WOVEN) chapters/README.md chapters/glossary.md CONTRIBUTING.md CHANGELOG.md $(wildcard chapters/*/exercises/*/README.md docs/instructor.md) docs/references.md
+TEXTS := $(WOVEN) chapters/README.md chapters/sheets.md chapters/glossary.md CONTRIBUTING.md CHANGELOG.md $(wildcard chapters/*/exercises/*/README.md docs/instructor.md) docs/teaching.md docs/references.md
 CHAPTER_OF = $(wildcard chapters/$1_*)
 # Exercises: a wrong answer is no failure of make. With --question it runs only lines that begin with +, and tells
 # by its exit status, without a message, whether a command is left: the one that the verdict holds.
@@ -58,6 +58,7 @@ results: chapters         ## accept what the programs write now: committed numbe
 	@perl tools/equations.pl
 	@perl tools/words.pl
 	@perl tools/course.pl
+	@perl tools/sheets.pl
 	@for f in figures/fig_*.gp; do tools/figure.sh --check $$f 2> /dev/null || \
 	    { tools/figure.sh $$f $${f%.gp}.svg && echo "drew $${f%.gp}.svg"; } || exit 1; done
 figures:                  ## draw every committed picture anew from the committed curves
@@ -67,11 +68,13 @@ text:                     ## put the committed numbers, tables and code into the
 	@perl tools/equations.pl
 	@perl tools/words.pl
 	@perl tools/course.pl
+	@perl tools/sheets.pl
 lint:                     ## check what needs no compiling: quotations, formulas, links, that faults fit the sources
 	@perl tools/weave.pl --check $(WOVEN)
 	@perl tools/equations.pl --check
 	@perl tools/words.pl --check
 	@perl tools/course.pl --check
+	@perl tools/sheets.pl --check
 	@perl tools/evenings.pl --check
 	@perl tools/lint-md.pl $(TEXTS) chapters/equations.md chapters/words.md tests/reference/claims.md
 	@perl tools/claims.pl

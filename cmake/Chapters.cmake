@@ -36,7 +36,8 @@ foreach(dir IN LISTS folders)
   add_library(${name}_programs OBJECT ${batch})
   set_target_properties(${name}_programs PROPERTIES OPTIMIZE_DEPENDENCIES ON)
   add_executable(${name} $<TARGET_OBJECTS:${name}_programs>)
-  # What its files include says which parts of the library it is linked with.
+  # What its files include says which parts of the library it is linked with.  So a chapter has the effects and the factor of an
+  # add-on if one of its files includes a header of it, see registered.cpp there; without, K is factored by Eigen.
   file(GLOB files CONFIGURE_DEPENDS ${dir}/*.cpp ${dir}/*.hpp)
   signorini_parts_of(library ${files})
   foreach(program IN LISTS programs)
@@ -46,9 +47,6 @@ foreach(dir IN LISTS folders)
       set(library yardsticks ${library})
     endif()
   endforeach()
-  if("signorini_scene" IN_LIST library)  # the effects and the back end of its scenes
-    list(APPEND library signorini_effects signorini_frontal)
-  endif()
   target_link_libraries(${name} PRIVATE ${library})
   add_library(${name}_alone OBJECT EXCLUDE_FROM_ALL ${programs})
   foreach(target ${name}_programs ${name}_alone)

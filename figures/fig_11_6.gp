@@ -1,16 +1,31 @@
-# Figure 11.6 - stress on the axis.   In: fig_11_6.csv, fig_11_6_disc.csv, fig_11_6_plate.csv   Out: fig_11_6.svg
-height = 440
+# Figure 11.6 - displacements of both bodies, 40 times as large.
+# In: fig_11_6.csv, fig_11_6_x_disc.csv, fig_11_6_x_plate.csv, the same with y and size   Out: fig_11_6.svg
+width = 860; height = 560
 load 'style.gp'
-set xlabel 'depth below the contact [mm]'
-set ylabel 'stress [MPa]'
-set xrange [0:4]
-set yrange [-40:10]
-set ytics 10
-set key bottom right
-plot data.'/fig_11_6.csv' using 'depth':'shear' with lines ls 7 dt 1 title '(σ_x − σ_y)/2, half-plane', \
-     '' using 'depth':'xx' with lines ls 7 dt (12,4) title 'σ_x, half-plane', \
-     '' using 'depth':'yy' with lines ls 7 dt (3,3) title 'σ_y, half-plane', \
-     data.'/fig_11_6_disc.csv' using 'depth':'shear' with points ls 1 title 'disc', \
-     '' using 'depth':'xx' with points ls 1 notitle, '' using 'depth':'yy' with points ls 1 notitle, \
-     data.'/fig_11_6_plate.csv' using 'depth':'shear' with points ls 5 title 'plate', \
-     '' using 'depth':'xx' with points ls 5 notitle, '' using 'depth':'yy' with points ls 5 notitle
+set size ratio -1
+unset key; unset grid; unset border; unset tics
+set xrange [-3:98]
+set yrange [-98:52]
+set palette maxcolors 11
+set cbrange [-0.5:10.5]
+set cbtics scale 0 offset 0,0.4
+names = 'x y size'
+titles = 'u_x u_y |u|'
+levels_1 = '"" -1 "" 0 "" 1 "" 3 "" 7'
+levels_2 = '-60 "" -50 "" -40 "" -20 "" -5 ""'
+levels_3 = '"" 5 "" 20 "" 40 "" 50 "" 60'
+set multiplot
+do for [panel=1:3] {
+  set lmargin at screen 0.01 + 0.33 * (panel - 1)
+  set rmargin at screen 0.32 + 0.33 * (panel - 1)
+  set bmargin at screen 0.17
+  set tmargin at screen 0.92
+  set colorbox horizontal user origin 0.03 + 0.33 * (panel - 1),0.12 size 0.28,0.035
+  set title word(titles, panel).' [µm]' offset 0,-0.5
+  levels = value('levels_'.panel)
+  set cbtics ('' 0)
+  do for [k=1:10] { if (word(levels, k) ne '') { set cbtics add (word(levels, k) k - 0.5) } }
+  plot for [body in 'plate disc'] data.'/fig_11_6_'.word(names, panel).'_'.body.'.csv' using 'x':'y':'band' with polygons fs solid noborder fc palette, \
+       data.'/fig_11_6.csv' using 'x':'y' with lines lc rgb GREY lw 1.4 dt (6,4)
+}
+unset multiplot

@@ -1,31 +1,20 @@
-# Figure 11.7 - displacements of both bodies, 40 times as large.
-# In: fig_11_7.csv, fig_11_7_x_disc.csv, fig_11_7_x_plate.csv, the same with y and size   Out: fig_11_7.svg
-width = 860; height = 560
+# Figure 11.7 - both bodies next to the contact.   In: fig_11_7.csv, fig_11_7_plate.csv   Out: fig_11_7.svg
+width = 470; height = 500
 load 'style.gp'
 set size ratio -1
-unset key; unset grid; unset border; unset tics
-set xrange [-3:98]
-set yrange [-98:52]
-set palette maxcolors 11
-set cbrange [-0.5:10.5]
-set cbtics scale 0 offset 0,0.4
-names = 'x y size'
-titles = 'u_x u_y |u|'
-levels_1 = '"" -1 "" 0 "" 1 "" 3 "" 7'
-levels_2 = '-60 "" -50 "" -40 "" -20 "" -5 ""'
-levels_3 = '"" 5 "" 20 "" 40 "" 50 "" 60'
-set multiplot
-do for [panel=1:3] {
-  set lmargin at screen 0.01 + 0.33 * (panel - 1)
-  set rmargin at screen 0.32 + 0.33 * (panel - 1)
-  set bmargin at screen 0.17
-  set tmargin at screen 0.92
-  set colorbox horizontal user origin 0.03 + 0.33 * (panel - 1),0.12 size 0.28,0.035
-  set title word(titles, panel).' [µm]' offset 0,-0.5
-  levels = value('levels_'.panel)
-  set cbtics ('' 0)
-  do for [k=1:10] { if (word(levels, k) ne '') { set cbtics add (word(levels, k) k - 0.5) } }
-  plot for [body in 'plate disc'] data.'/fig_11_7_'.word(names, panel).'_'.body.'.csv' using 'x':'y':'band' with polygons fs solid noborder fc palette, \
-       data.'/fig_11_7.csv' using 'x':'y' with lines lc rgb GREY lw 1.4 dt (6,4)
-}
-unset multiplot
+unset key; unset grid
+set xlabel '{/:Italic x} [mm]'
+set ylabel '{/:Italic y} [mm]'
+set xrange [0:2.5]
+set yrange [-2.5:2.5]
+set xtics 0.5
+set ytics 0.5
+set rmargin 11
+set palette maxcolors 12
+set cbrange [0:7.8]
+set cblabel 'largest shear stress [MPa]' offset 1,0
+set cbtics 1.3
+plot data.'/fig_11_7.csv' using 'x':'y':'value' with polygons fs solid noborder fc palette, \
+     '' using 'x':'y' with lines lc rgb '#60ffffff' lw 0.3 dt 1, \
+     data.'/fig_11_7_plate.csv' using 'x':'y':'value' with polygons fs solid noborder fc palette, \
+     '' using 'x':'y' with lines lc rgb '#60ffffff' lw 0.3 dt 1

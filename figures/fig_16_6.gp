@@ -1,17 +1,41 @@
-# Figure 16.6 - the separators of the cantilever as a tree, and the path of the row of one contact.
-# In: fig_16_6.csv   Out: fig_16_6.svg
-width = 760; height = 400
+# Figure 16.6 - three knobs: points of the gap, sweeps of a solver, and digits.
+# In: fig_16_6.csv, fig_16_6_sweeps.csv, fig_16_6_digits.csv   Out: fig_16_6.svg
+width = 900; height = 420
 load 'style.gp'
-set xrange [-1:51]
-set yrange [7.1:-0.6]
-set xlabel 'place along the beam [cm]'
-set ylabel 'depth in the tree'
-set border 1
-set ytics scale 0 0,1,6
-set grid noxtics noytics
-set key outside top center horizontal
-file = data.'/fig_16_6.csv'
-do for [w=1:8] { set style arrow w nohead lc rgb SKY lw 1.1*w dt 1 }
-plot for [w=1:8] file using (ceil(column('rows')/10.0) == w ? column('x') : NaN):'depth':(column('above_x')-column('x')):(column('above_depth')-column('depth')) with vectors as w title (w == 3 ? 'the thicker, the more rows pass' : ''), \
-     '' using (column('one') > 0 ? column('x') : NaN):'depth':(column('above_x')-column('x')):(column('above_depth')-column('depth')) with vectors nohead lc rgb RED lw 2.5 dt (6,3) title 'the row of one contact', \
-     '' using 'x':'depth':(0.25+0.09*sqrt(column('own'))) with points pt 7 ps variable lc rgb BLUE title 'separator'
+set multiplot
+set logscale y
+set format y '10^{%T}'
+set lmargin at screen 0.09
+set rmargin at screen 0.31
+set bmargin at screen 0.3
+set tmargin at screen 0.82
+set xrange [0.5:10.5]
+set yrange [0.02:200]
+set ytics 0.1, 10, 10
+set xtics 2,2,10
+set xlabel 'Gauss points'
+set title 'error [%]'
+set key at graph 1,1 top right noopaque
+plot data.'/fig_16_6.csv' using 'points':'edges' with linespoints ls 2 title 'edges', '' using 'points':'segments' with linespoints ls 1 title 'segments'
+set lmargin at screen 0.42
+set rmargin at screen 0.65
+set logscale x
+set xrange [0.8:320]
+set xtics (1,4,16,64,256)
+set yrange [1e-20:1e4]
+set ytics 1e-12, 1e4, 1e4
+set xlabel 'sweeps'
+set title 'error [%]'
+set key at graph 0,0.56 left top noopaque
+plot data.'/fig_16_6_sweeps.csv' using 'sweeps':'error' with linespoints ls 1 title 'all', '' using 'sweeps':'of_solver' with linespoints ls 2 title 'sweeps', '' using 'sweeps':'of_mesh' with lines ls 8 title 'mesh'
+set lmargin at screen 0.75
+set rmargin at screen 0.985
+set xrange [8:200]
+set xtics (10,20,40,80,160)
+set yrange [1e-18:1e8]
+set ytics 1e-16, 1e4, 1e-4
+set xlabel 'length / height'
+set title 'certificate'
+set key at graph 0.02,1 left top noopaque
+plot data.'/fig_16_6_digits.csv' using 'slender':'doubles ≈' with linespoints ls 2 title 'plain', '' using 'slender':'refined ≈' with linespoints ls 1 title 'refined'
+unset multiplot

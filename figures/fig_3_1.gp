@@ -1,17 +1,14 @@
-# Figure 3.1 - what is missing after k iterations, six rules.   In: fig_3_1.csv   Out: fig_3_1.svg
-height = 540
+# Figure 3.1 - two pairs: the literal rule hops over the top.   In: fig_3_1.csv   Out: fig_3_1.svg
 load 'style.gp'
-eval LOGLOG
-set xlabel 'iteration'
-set ylabel '({/:Italic s}* − {/:Italic s}) / {/:Italic s}*'
-set xrange [1:2.2e4]
-set yrange [1e-9:2]
-set tmargin 5
-set key at graph 1,1.03 bottom right maxrows 3
-file = data.'/fig_3_1.csv'
-plot file using 'iteration':'gap' every :::0::0 with linespoints ls 7 title 'literal (28): hops', \
-     '' using 'iteration':'gap' every :::1::1 with linespoints ls 2 pi 4 title '2/(k + 2)', \
-     '' using 'iteration':'gap' every :::2::2 with linespoints ls 3 pi 4 title 'line search', \
-     '' using 'iteration':'gap' every :::3::3 with linespoints ls 4 pi 4 title 'away steps', \
-     '' using 'iteration':'gap' every :::4::4 with linespoints ls 5 pi 4 title 'pairwise', \
-     '' using 'iteration':'gap' every :::5::5 with linespoints ls 1 pi 4 title 'fully corrective'
+set xlabel 'weight of the first pair'
+set ylabel '{/:Italic s}'
+set xrange [-0.03:1.03]
+set yrange [0:14]
+set key bottom right
+set arrow 1 from 0.03,6.6 to 0.96,12.2 size screen 0.02,20 ls 2 dt 1
+set arrow 2 from 0.97,11.9 to 0.04,6.2 size screen 0.02,20 ls 2 dt 1
+set arrow 3 from 0.53,12.4 to 0.7,13.25 size screen 0.02,20 ls 1 front
+plot data.'/fig_3_1.csv' using 'weight':'s' with lines ls 7 title '{/:Italic s}', \
+     '' using 'weight':'s' every 100 with points ls 2 ps 1.4 title 'literal rule: there and back', \
+     '' using 'weight':'s' every 1000::50 with points pt 6 ps 1.4 lw 2 lc rgb BLACK title 'start', \
+     '' using 'weight':'s' every 1000::75 with points pt 3 ps 1.6 lw 2 lc rgb BLUE title 'line search, one step'

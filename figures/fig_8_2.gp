@@ -1,55 +1,47 @@
-# Figure 8.2 - Coulomb's law with cohesion as two sliders in a row.   In: fig_8_2.csv   Out: fig_8_2.svg
+# Figure 8.2 - two complementarity functions, their level lines and zeros.   In: fig_8_2.csv   Out: fig_8_2.svg
 width = 640
-height = 330
+height = 370
 load 'style.gp'
-B = 0.7   # c + mu f_n of the program's pair: 0.2 + 0.5 * 1
-set border 0
-unset tics
 unset grid
-set xrange [-1.15:1.15]
-set yrange [-1.3:1.25]
-set lmargin 1
-set rmargin 1
-set bmargin 1
-set tmargin 2.5
+set contour base
+unset surface
+set cntrparam levels discrete -1,-0.5,0.5,1,2,3,4
+set table $fb
+splot data.'/fig_8_2.csv' using 'a':'b':'phi' with lines
+unset table
+unset contour
+set surface
+set datafile separator whitespace
+set xrange [-2:2]
+set yrange [-2:2]
+set size ratio 1
+set border 15 back ls 100
+set xtics 1
+set ytics 1
+set xlabel 'gap {/:Italic a}'
+set ylabel 'force {/:Italic b}' offset 1,0
+set lmargin 6
+set rmargin 2
+set arrow 1 from 0,0 to 2,0 nohead lw 4 lc rgb BLUE front
+set arrow 2 from 0,0 to 0,2 nohead lw 4 lc rgb BLUE front
 unset key
-set multiplot layout 1,3
-set arrow 1 from -1.1,0 to 1.1,0 lw 1 lc rgb GREY size screen 0.008,20 back
-set arrow 2 from 0,-1.15 to 0,1.15 lw 1 lc rgb GREY size screen 0.008,20 back
-set label 2 'friction' at 0.04,1.12 textcolor rgb BLACK
-set title 'slides back: (17)'
-set label 1 '−{/:Italic u}⁻' at 1.1,-0.18 right textcolor rgb BLACK
-set label 3 '{/:Italic B}' at 0.06,B textcolor rgb BLACK
-$minus << EOD
--1.05,0.7
-0,0.7
-0,-1.0
-EOD
-plot $minus using 1:2 with lines ls 1 lw 3
-set title 'slides forth: (18)'
-set label 1 '{/:Italic u}⁺'
-set label 3 '−{/:Italic B}' at -0.06,-B right
-$plus << EOD
-1.05,-0.7
-0,-0.7
-0,1.0
-EOD
-plot $plus using 1:2 with lines ls 2 dt 1 lw 3
-set title 'both in a row: (19)'
-set label 1 '{/:Italic u}⁺ − {/:Italic u}⁻'
-set label 3 '{/:Italic B} = {/:Italic c} + {/:Italic μf_n}' at 0.06,B left
-set label 4 '−{/:Italic B}' at -0.06,-B right textcolor rgb BLACK
-set label 5 "elastic\nbody" at -1.15,1.2 left textcolor rgb BLACK
-$law << EOD
--1.05,0.7
-0,0.7
-0,-0.7
-1.05,-0.7
-EOD
-# the elastic body: slip = s + friction
-file = data.'/fig_8_2.csv'
-plot file using 'slip':'friction':(-0.45):(-0.45) with vectors nohead lw 1 dt (2,3) lc rgb GREY, \
-     file using 'slip':'friction':(0.24):(0.24) with vectors nohead lw 1 dt (2,3) lc rgb GREY, \
-     $law using 1:2 with lines ls 7 lw 3, \
-     file using 'slip':'friction' with points pt 7 ps 1.1 lc rgb RED
+set multiplot layout 1,2
+set title 'Fischer-Burmeister'
+set label 1 'kink' at -0.12,-0.25 right front textcolor rgb RED
+set label 3 '' at 0,0 point pt 7 ps 1.3 lc rgb RED front
+set label 2 'zero' at 1.2,0.17 front textcolor rgb BLUE
+plot $fb using 1:2 with lines ls 8 dt 1 lw 1.2, \
+     $fb using 1:2:(sprintf('%g',$3)) every 1000::9 with labels textcolor rgb BLACK
+set title 'minimum (minus it)'
+set label 1 'kinks' at -0.75,-1.05 left
+unset label 3
+set arrow 3 from -2,-2 to 2,2 nohead lw 2 dt (6,4) lc rgb RED front
+array level[5] = [-1, -0.5, 0.5, 1, 1.5]
+do for [i=1:5] {
+  m = -level[i]
+  set arrow 10+2*i from m,m to m,2 nohead ls 8 dt 1 lw 1.2
+  set arrow 11+2*i from m,m to 2,m nohead ls 8 dt 1 lw 1.2
+  set label 10+i sprintf('%g', level[i]) at 1.4,m center textcolor rgb BLACK
+}
+plot NaN
 unset multiplot

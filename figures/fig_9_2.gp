@@ -1,24 +1,17 @@
-# Figure 9.2 - uniform pressure through node-to-segment contact.   In: fig_9_2.csv   Out: fig_9_2.svg
-width = 640
-height = 360
+# Figure 9.2 - residuals of Newton's method, condensed and uncondensed.   In: fig_9_2.csv   Out: fig_9_2.svg
+height = 520
 load 'style.gp'
+eval LOGY
 file = data.'/fig_9_2.csv'
-set xrange [0:2]
-set xlabel 'along the interface'
-set yrange [-0.1:2.6]
-set ytics 0.5
-set lmargin 8
-set ylabel 'pressure over load' offset 1,0
-set rmargin 2
-set multiplot layout 1,2
-set key top left
-set title 'nodes of the source'
-plot 1 with lines ls 7 title 'exact', \
-     file using 'x':'p' every :::0::0 with linespoints ls 1 title '8 edges over 11', \
-     file using 'x':'p' every :::2::2 with linespoints ls 2 title '7 edges over 15'
-unset ylabel
-set title 'nodes of the target'
-plot 1 with lines ls 7 notitle, \
-     file using 'x':'p' every :::1::1 with linespoints ls 1 notitle, \
-     file using 'x':'p' every :::3::3 with linespoints ls 2 notitle
-unset multiplot
+set xrange [0:10.3]
+set xtics 1
+set xlabel 'step'
+set ylabel 'residual, over that at the start'
+set yrange [1e-18:10]
+set ytics 1e-18, 1e3
+set tmargin 6.5
+set key at graph 1,1.03 bottom right
+plot file using 'step':'residual' every :::0::0 with linespoints ls 1 title 'condensed', \
+     file using 'step':'residual' every :::1::1 with linespoints ls 2 title 'uncondensed, scaled', \
+     file using 'step':'residual' every :::2::2 with linespoints ls 3 title 'uncondensed, as printed, in mm and N', \
+     file using 'step':'residual' every :::3::3 with linespoints ls 4 title 'uncondensed, as printed, in m and N'

@@ -7,7 +7,7 @@
 #   <!-- table NAME.md --> ... <!-- /table -->      results/NAME.md, a table written by the program
 #   <!-- code PATH#block --> ... <!-- /code -->     the lines of PATH between two "// [block]"
 #   <!-- code PATH --> ... <!-- /code -->           all lines of PATH
-#   <!-- nav --> ... <!-- /nav -->                  links to the neighbouring chapters
+#   <!-- nav --> ... <!-- /nav -->                  links to the neighbouring chapters, in the order of the table in README.md
 # What stands in a fence or between back quotes is left alone.  With --check nothing is written; what is
 # stale is listed and the exit status is 1.
 use strict;
@@ -67,9 +67,18 @@ sub block {    # the lines of a source between two marks, without their common i
     return $code;
 }
 
+sub in_order {    # folders of chapters as README.md lists them, then those that it does not list
+    my ($chapters, @folders) = @_;
+    my ($readme, %place) = slurp("$chapters/../README.md") // '';
+    $place{$1} //= keys %place while $readme =~ m{\(chapters/(ch\d\d_[^/)]*)/README\.md\)}g;
+    my $of = sub { $place{ basename $_[0] } // 1000 };
+    return sort { $of->($a) <=> $of->($b) || $a cmp $b } @folders;
+}
+
 sub navigation {
     my ($dir) = @_;
-    my ($up, @all) = $dir =~ m{^(.*/)?ch\d\d_[^/]*$} ? ('../', sort glob(dirname($dir) . '/ch[0-9][0-9]_*')) : ('', sort glob "$dir/ch[0-9][0-9]_*");
+    my ($up, $chapters) = $dir =~ m{^(.*/)?ch\d\d_[^/]*$} ? ('../', dirname $dir) : ('', $dir);
+    my @all = in_order($chapters, glob "$chapters/ch[0-9][0-9]_*");
     my ($i) = $up ? grep { $all[$_] eq $dir } 0 .. $#all : (-1);
     my $link = sub { my ($d, $l, $r) = @_; '[' . $l . title($d) . $r . "]($up" . basename($d) . '/README.md)' };
     my @link;

@@ -24,7 +24,7 @@ SolveStatus chapter(const ProgramOptions& run) {
   const auto right = Eigen::seq(4, 8);
   const Table table =
       table_of({{"x [mm]", block.model.pairs.position.col(0)(right), "%.0f"},
-                {"gap without contact [mm]", block.condensed.problem.free_gap(right), "%.3f"},
+                {"free gap [mm]", block.condensed.problem.free_gap(right), "%.3f"},
                 {"gap [mm]", tried.gap(right), "%.3f"},
                 {"contact force [N]", tried.force(right), "%.3f"}});
   write_file(run.out / "candidates.md", table.markdown());

@@ -19,11 +19,11 @@ using Eigen::Vector2d;
 // 1. One block above another, a gap of 1 between them, turned by theta.
 const double theta = 25 * pi / 180;
 const Vector2d t(std::cos(theta), std::sin(theta));
-const Vector2d n(std::sin(theta), -std::cos(theta));  // as in (1)
+const Vector2d n(-std::sin(theta), std::cos(theta));  // out of the lower body, (A 1)
 
 Mesh turned_block(double low, double height) {
   return mapped(block("block", {-4, low}, {8, height}, 8, 3),
-                [](const Vector2d& at) -> Vector2d { return at.x() * t - at.y() * n; });
+                [](const Vector2d& at) -> Vector2d { return at.x() * t + at.y() * n; });
 }
 
 /// \PaperEq{XuanLi2002, 13}: a u = (u' - u) sin(theta) - (v' - v) cos(theta), a row a of A.
@@ -53,7 +53,7 @@ void draw(const std::filesystem::path& out, const Mesh& upper, const Mesh& lower
   write_file(out / "fig_1_3.csv", outlines.csv());
   Table nodes({"x", "y"});
   for (int place = -4; place <= 4; ++place)
-    for (const double height : {0.0, 1.0}) {
+    for (const double height : {0.0, -1.0}) {
       const Vector2d at = place * t + height * n;
       nodes.row({at.x(), at.y()});
     }
@@ -62,11 +62,11 @@ void draw(const std::filesystem::path& out, const Mesh& upper, const Mesh& lower
   const auto arrow = [&](const Vector2d& from, const Vector2d& way) {
     arrows.row({from.x(), from.y(), way.x(), way.y()});
   };
-  arrow(0.6 * n, 1.6 * t);           // of i' relative to i: its part along t
-  arrow({0, 0}, 0.6 * n);            // its part along n, a u
-  arrow({0, 0}, 1.6 * t + 0.6 * n);  // all of it
-  arrow(-3 * t, 1.0 * n);
-  arrow(-3 * t, 1.5 * t);
+  arrow(-0.6 * n, 1.6 * t);          // of i' relative to i: its part along t
+  arrow({0, 0}, -0.6 * n);           // its part against n, a u
+  arrow({0, 0}, 1.6 * t - 0.6 * n);  // all of it
+  arrow(-3 * t - n, 1.0 * n);
+  arrow(-3 * t - n, 1.5 * t);
   write_file(out / "fig_1_3_arrows.csv", arrows.csv());
 }
 

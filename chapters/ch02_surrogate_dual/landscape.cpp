@@ -1,6 +1,6 @@
 // Chapter 2 - The landscape s over the triangle of weights, and the way of the line search of chapter 3.
-// Run:  make ch02     Reads: nothing     Writes: ch02_landscape.results, fig_2_1.csv,
-//                                                fig_2_1_path.csv, fig_2_1_best.csv, fig_2_1_top.csv
+// Run:  make ch02     Reads: nothing     Writes: ch02_landscape.results, fig_2_2.csv,
+//                                                fig_2_2_path.csv, fig_2_2_best.csv, fig_2_2_top.csv
 #include <cmath>
 
 #include "papers/weight_iteration.hpp"
@@ -50,19 +50,19 @@ Table around_the_top(const ContactProblem& problem) {
 
 SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch02_landscape");
-  const SolvedScene block = solved(three_candidates(), "the block");
-  const ContactProblem& problem = block.condensed.problem;
-  write_file(run.out / "fig_2_1.csv", whole_triangle(problem).csv());
-  write_file(run.out / "fig_2_1_top.csv", around_the_top(problem).csv());
+  const Block block = pressed_block();
+  const ContactProblem& problem = block.problem;
+  write_file(run.out / "fig_2_2.csv", whole_triangle(problem).csv());
+  write_file(run.out / "fig_2_2_top.csv", around_the_top(problem).csv());
   // 3. The way of the line search from equal weights, and where it leads.
   Table path({"x", "y", "s"});
   WeightIteration search(problem, WeightRule::LineSearch);
   for (int k = 0; k <= 20; ++k, (void)search.step())
     path.row({place(search.weights()).x(), place(search.weights()).y(), search.value()});
-  write_file(run.out / "fig_2_1_path.csv", path.csv());
+  write_file(run.out / "fig_2_2_path.csv", path.csv());
   Table best({"x", "y"});
   best.row({place(shares(block)).x(), place(shares(block)).y()});
-  write_file(run.out / "fig_2_1_best.csv", best.csv());
+  write_file(run.out / "fig_2_2_best.csv", best.csv());
   results.add("path_share_20", search.value() / trade(problem, shares(block)).energy, "-");
   results.print();
   results.write(run.out);

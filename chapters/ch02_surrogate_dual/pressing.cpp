@@ -1,5 +1,5 @@
 // Chapter 2 - Forces press: the condition eta >= 0 of the dual problem (Xuan & Li 2002, eqs. 18, 24).
-// Run:  make ch02     Reads: nothing     Writes: ch02_pressing.results, fig_2_2.csv
+// Run:  make ch02     Reads: nothing     Writes: ch02_pressing.results, fig_2_1.csv
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/report/results.hpp"
@@ -19,7 +19,7 @@ void open_and_overlapping(const ProgramOptions& run) {
     const double squared = pairs.free_gap.dot(xi) * pairs.free_gap.dot(xi);
     table.row({xi(1), 0.5 * squared / xi.squaredNorm(), trade(pairs, xi).energy});
   }
-  write_file(run.out / "fig_2_2.csv", table.csv());
+  write_file(run.out / "fig_2_1.csv", table.csv());
 }
 
 // 2. Grazing contact: a pair whose free gap is exactly zero.

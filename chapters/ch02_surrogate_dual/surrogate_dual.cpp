@@ -15,8 +15,8 @@ namespace {
 using namespace ch02;
 
 // 1. One weighted gap after another: all weight on one pair, equal weights, and the best ones.
-void try_weights(const ProgramOptions& run, const SolvedScene& block) {
-  const ContactProblem& problem = block.condensed.problem;
+void try_weights(const ProgramOptions& run, const Block& block) {
+  const ContactProblem& problem = block.problem;
   Table table({"all weight on", "overlap $`b^T\\xi`$ [mm]", "$`\\eta`$ [N]", "$`s`$ [N mm]"});
   const auto row = [&](const char* name, const VectorXd& xi) {
     const Trade found = trade(problem, xi);
@@ -33,16 +33,16 @@ void try_weights(const ProgramOptions& run, const SolvedScene& block) {
 }
 
 // 2. Strong duality: the best weights give the forces, and the energy of the solution.
-void strong_duality(const SolvedScene& block, Results& results) {
+void strong_duality(const Block& block, Results& results) {
   // [strong]
-  const QuadraticProgramme& programme = block.model.programme;
+  const QuadraticProgramme& programme = block.programme;
   const VectorXd none = VectorXd::Zero(3);
   const VectorXd weights = shares(block);
-  const Trade best = trade(block.condensed.problem, weights);  // (23), (24)
-  const VectorXd u = block.condensed.factor.solve(             // (22)
+  const Trade best = trade(block.problem, weights);  // (23), (24)
+  const VectorXd u = block.factor.solve(             // (22)
       programme.load - best.force * (programme.A.transpose() * weights));
   const double energy = lagrangian(programme, u, none);  // pi(u)
-  const double free_energy = lagrangian(programme, block.condensed.free_displacement, none);
+  const double free_energy = lagrangian(programme, block.free_displacement, none);
   const double lost = best.energy + free_energy - energy;  // between (24) and (11)
   // [strong]
   results.add("duality_gap", lost, "N*mm", Repeats::No);
@@ -57,7 +57,7 @@ void strong_duality(const SolvedScene& block, Results& results) {
 
 SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch02");
-  const SolvedScene block = solved(three_candidates(), "the block");
+  const Block block = pressed_block();
   try_weights(run, block);
   strong_duality(block, results);
   results.print();

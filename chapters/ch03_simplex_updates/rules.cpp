@@ -1,6 +1,6 @@
 // Chapter 3 - Six rules compared: iterations until s is close to its best value.
 // Run:  make ch03     Reads: nothing     Writes: ch03_rules.results, counts.md, counts_random.md,
-//                                                fig_3_1.csv
+//                                                fig_3_2.csv
 #include <algorithm>
 #include <iostream>
 
@@ -31,7 +31,7 @@ double best_value(const ContactProblem& problem) {
   return -0.5 * exact.force.dot(problem.free_gap);
 }
 
-// 2. What is missing after k iterations, for figure 3.1.
+// 2. What is missing after k iterations, for figure 3.2.
 void curve_of(const ContactProblem& problem, double best, WeightRule rule, Table& curve) {
   WeightIteration iteration(problem, rule);
   double next = 1;
@@ -72,7 +72,7 @@ SolveStatus chapter(const ProgramOptions& run) {
   }
   write_file(run.out / "counts.md", half_plane.markdown());
   write_file(run.out / "counts_random.md", random.markdown());
-  write_file(run.out / "fig_3_1.csv", curve.csv("rel 1e-3 abs 1e-10"));
+  write_file(run.out / "fig_3_2.csv", curve.csv("rel 1e-3 abs 1e-10"));
   std::cout << half_plane.markdown();
   results.print();
   results.write(run.out);

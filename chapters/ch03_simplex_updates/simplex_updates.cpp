@@ -1,5 +1,5 @@
 // Chapter 3 - Updating xi on the simplex (Xuan & Li 2002, sec. 2.2, eqs. 25-29): two pairs.
-// Run:  make ch03     Reads: nothing     Writes: ch03.results, hops.md, fig_3_2.csv
+// Run:  make ch03     Reads: nothing     Writes: ch03.results, hops.md, fig_3_1.csv
 #include <iostream>
 
 #include "papers/weight_iteration.hpp"
@@ -59,7 +59,7 @@ SolveStatus chapter(const ProgramOptions& run) {
     const double xi = step / 100.0;
     curve.row({xi, surrogate_dual_value(problem, Vector2d(xi, 1 - xi))});
   }
-  write_file(run.out / "fig_3_2.csv", curve.csv());
+  write_file(run.out / "fig_3_1.csv", curve.csv());
   results.headline("two_pairs_s", 13, "closed form of two pairs");
   results.print();
   results.write(run.out);

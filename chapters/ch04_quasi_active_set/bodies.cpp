@@ -1,5 +1,5 @@
-// Chapter 4 - Contact of bodies: the block of chapter 1, the cantilever of chapter 6, a half-plane; and the flow chart
-// with how often three runs went along each of its arrows.
+// Chapter 4 - Contact of bodies: the block of chapter 1, the cantilever of chapter 6, a half-plane, two elastic blocks; and
+// the flow chart with how often three runs went along each of its arrows.
 // Run:  make ch04     Reads: nothing     Writes: bodies.md, fig_4_1.csv
 #include <array>
 #include <iostream>
@@ -45,6 +45,26 @@ ContactProblem cantilever() {
   return condensed(scene, half_plane({0, -1}, {0, 1}));
 }
 
+// The block of chapter 1 again, above another one, twice as stiff, whose top is as round as that obstacle: nodes on sides.
+ContactProblem two_blocks() {
+  Scene scene;
+  scene.bodies.resize(2);
+  Body& upper = scene.bodies[0];
+  upper.mesh = block("upper", {-20, 0}, {40, 20}, 80, 40);
+  upper.material = {10, 0.3, PlaneState::Strain, 1};
+  upper.supports = {prescribed("top", Axis::X, 0.0), prescribed("top", Axis::Y, -1.0)};
+  Body& lower = scene.bodies[1];
+  lower.mesh = mapped(block("lower", {-20, -20}, {40, 20}, 80, 40),
+                      [](const Eigen::Vector2d& x) -> Eigen::Vector2d {
+                        return {x.x(), x.y() - (1 + x.y() / 20) * x.x() * x.x() / 120};
+                      });
+  lower.material = {20, 0.3, PlaneState::Strain, 1};
+  lower.supports = {fixed("bottom")};
+  scene.contacts = {{{"bottom", "upper"}, Side{"top", "lower"}, "node_to_segment"}};
+  Ledger ledger;
+  return condense(build(scene, ledger), ledger).problem;
+}
+
 // 2. One step, or many that take one row at a time. The coupling is that of the scaled compliance.
 double smallest_coupling(const Eigen::MatrixXd& G) {
   const Eigen::VectorXd root = G.diagonal().cwiseSqrt();
@@ -79,6 +99,7 @@ SolveStatus chapter(const ProgramOptions& run) {
   table.row(row_of("block, chapter 1", on_obstacle));
   table.row(row_of("cantilever, chapter 6", cantilever()));
   table.row(row_of("half-plane, round punch", half_plane_indentation(200).problem));
+  table.row(row_of("two elastic blocks", two_blocks()));
   write_file(run.out / "bodies.md", table.markdown());
   std::cout << table.markdown();
 

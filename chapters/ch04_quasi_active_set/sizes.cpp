@@ -7,11 +7,11 @@
 #include "addons/certified/dense_programme.hpp"
 #include "papers/examples.hpp"
 #include "papers/quasi_active_set_literal.hpp"
-#include "papers/solver_table.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/report/results.hpp"
+#include "signorini/solvers/quasi_active_set.hpp"
 
 namespace {
 
@@ -49,7 +49,7 @@ Size try_size(Index n, Index m, std::uint64_t runs) {
     const KnownProgramme known = rosen_suzuki(n, m, seed);
     const ContactProblem problem = condense(known.programme).problem;
     const QuasiActiveRun way = run_quasi_active_set_literal(problem);
-    const ContactState repaired = find_solver("quasi_active_set").solve(problem, {});
+    const ContactState repaired = quasi_active_set(problem);
     const bool solved = way.state.report.status == SolveStatus::Solved;
     const auto& history = way.state.report.history;
     size.violated += static_cast<double>(history[0].changes) / static_cast<double>(runs);

@@ -3,8 +3,8 @@
 #include "cases.hpp"
 #include "group_step.hpp"
 #include "papers/examples.hpp"
-#include "papers/solver_table.hpp"
 #include "signorini/core/table.hpp"
+#include "signorini/solvers/quasi_active_set.hpp"
 #include "which_rows.hpp"
 
 namespace ch04 {
@@ -39,7 +39,7 @@ inline Rows with_force(const VectorXd& force) {
 /// A way at its start, where no pair has a force.
 /// \param problem  without friction \return the way, which also knows the forces of the solution
 inline Way begin(const ContactProblem& problem) {
-  const VectorXd best = find_solver("quasi_active_set").solve(problem, {}).force;
+  const VectorXd best = quasi_active_set(problem).force;
   return {problem, best, {{{}, {}, 0 * best, problem.free_gap}}};
 }
 

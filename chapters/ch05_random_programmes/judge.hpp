@@ -48,7 +48,6 @@ Run counted(const Found& found, const Certificate& certificate, double seconds) 
           static_cast<double>(found.active.size()), seconds};
 }
 
-// [judge]
 inline Run judged(const KnownProgramme& known, const char* name) {
   const auto begin = std::chrono::steady_clock::now();
   const DenseSolution found = solve(known.programme, find_solver(name));
@@ -59,7 +58,6 @@ inline Run judged(const KnownProgramme& known, const char* name) {
   run.deviation = std::abs(f / known.energy - 1);
   return run;
 }
-// [judge]
 
 inline Run judged(const ContactProblem& problem, const char* name) {
   const auto begin = std::chrono::steady_clock::now();

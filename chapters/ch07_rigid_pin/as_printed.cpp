@@ -1,10 +1,10 @@
 // Chapter 7 - The method of the paper on the pin, as it is printed and repaired.
 // Run:  make ch07     Reads: nothing     Writes: ch07_as_printed.results, fig_7_4_*.csv
 #include "papers/printed_method.hpp"
-#include "papers/solver_table.hpp"
 #include "pin.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/report/results.hpp"
+#include "signorini/solvers/quasi_active_set.hpp"
 
 namespace {
 
@@ -24,7 +24,7 @@ SolveStatus chapter(const ProgramOptions& run) {
     add_counts(results, printed, text("_", name));
     results.add(text("least_compliance_", name),
                 problem.compliance.minCoeff() / problem.compliance.maxCoeff(), "-");
-    const ContactState repaired = find_solver("quasi_active_set").solve(problem, {});
+    const ContactState repaired = quasi_active_set(problem);
     results.add(text("repaired_steps_", name), static_cast<double>(repaired.report.iterations),
                 "-");
   }

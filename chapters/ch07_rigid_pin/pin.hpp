@@ -1,6 +1,7 @@
 // The pin of the chapter in its plate, and what it does to the edge of the hole.
 #pragma once
 
+#include "addons/frontal/frontal_factor.hpp"  // the factor of these scenes, linked with it
 #include "meshes/plate_with_hole.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"

@@ -1,6 +1,6 @@
 // Chapter 8 - Friction of one pair, by halves (Lin et al., sec. 2.2, eqs. 13-19).
 // Run:  make ch08     Reads: nothing     Writes: ch08_friction.results, split.md,
-//       fig_8_2.csv
+//       fig_8_3.csv
 #include <cmath>
 #include <iostream>
 
@@ -42,7 +42,7 @@ void one_pair(const ProgramOptions& run, Results& results) {
     const VectorXd x = solved(split, {-1, s, 0.5, 0.2}, Vector4d(1, 0, 0, 0)).x;
     dots.row({s, x(2) - x(3), x(1)});
   }
-  write_file(run.out / "fig_8_2.csv", dots.csv());
+  write_file(run.out / "fig_8_3.csv", dots.csv());
 }
 
 SolveStatus chapter(const ProgramOptions& run) {

@@ -1,6 +1,6 @@
 // Chapter 8 - A length against a force: the same cylinder in six systems of units (Lin et al., eq. 12).
 // Run:  make ch08     Reads: nothing     Writes: ch08_units.results, units.md,
-//       fig_8_3.csv
+//       fig_8_4.csv
 #include <algorithm>
 #include <iostream>
 
@@ -69,7 +69,7 @@ void units(const ProgramOptions& run, Results& results) {
   }
   std::cout << table.markdown();
   write_file(run.out / "units.md", table.markdown());
-  write_file(run.out / "fig_8_3.csv", figure.csv("rel 1e-3 abs 1e-9"));
+  write_file(run.out / "fig_8_4.csv", figure.csv("rel 1e-3 abs 1e-9"));
   results.add("worst_error", worst(0), "-");
   results.add("worst_error_relative_test", worst(1), "-");
   results.add("worst_error_scaled", worst(2), "-", Repeats::No);

@@ -1,6 +1,6 @@
 // Chapter 9 - Newton's method with all unknowns, and with contact forces only (Lin et al., sec. 2.3, eqs. 30, 31).
 // Run:  make ch09     Reads: nothing     Writes: ch09_newton.results, newton.md,
-//       fig_9_3.csv
+//       fig_9_2.csv
 #include <ctime>
 #include <iostream>
 #include <vector>
@@ -50,7 +50,7 @@ Way condensed_newton(const ContactProblem& problem) {
   return way;
 }
 
-// 2. Figure 9.3: residuals, one block of rows per method.
+// 2. Figure 9.2: residuals, one block of rows per method.
 Table histories(const Way& condensed, const std::vector<const Report*>& reports) {
   Table table({"step", "residual"});
   for (std::size_t k = 0; k < condensed.residuals.size(); ++k)
@@ -98,7 +98,7 @@ void compare(const ProgramOptions& run, Results& results) {
     const Model in_metres = build(round_block(n, {"m, N", 1e-3, 1}), ledger);
     const SaddlePointSolution four = saddle_point_newton(in_metres.programme, printed);
     const Table curves = histories(way, {&two.report, &three.report, &four.report});
-    write_file(run.out / "fig_9_3.csv", curves.csv("rel 1e-3 abs 1e-9"));
+    write_file(run.out / "fig_9_2.csv", curves.csv("rel 1e-3 abs 1e-9"));
   }
   std::cout << table.markdown();
   write_file(run.out / "newton.md", table.markdown());

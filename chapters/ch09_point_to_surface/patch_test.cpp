@@ -1,6 +1,6 @@
 // Chapter 9 - The patch test: one pressure through meshes that do not match (Lin et al., sec. 2.3).
 // Run:  make ch09     Reads: nothing     Writes: ch09_patch_test.results, patch.md,
-//       fig_9_2.csv
+//       fig_9_3.csv
 #include <cmath>
 #include <iostream>
 
@@ -83,7 +83,7 @@ void patch_test(const ProgramOptions& run, Results& results) {
   }
   std::cout << table.markdown();
   write_file(run.out / "patch.md", table.markdown());
-  write_file(run.out / "fig_9_2.csv", curve.csv());
+  write_file(run.out / "fig_9_3.csv", curve.csv());
 }
 
 SolveStatus chapter(const ProgramOptions& run) {

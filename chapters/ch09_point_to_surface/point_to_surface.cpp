@@ -51,6 +51,10 @@ void one_element(const ProgramOptions& run, Results& results) {
                vector(X(i, 0), X(i, 1))});
   std::cout << table.markdown();
   write_file(run.out / "element.md", table.markdown());
+  for (Index i = 0; i < 3; ++i) {
+    results.add(text("a_", i + 1, "x"), fn(i, 0), "-");
+    results.add(text("a_", i + 1, "y"), fn(i, 1), "-");
+  }
   results.add("moment_of_friction", moment(X, ft), "N mm");
   results.headline("moment_of_friction", -at.gap, "a couple across the gap");
   write_file(run.out / "fig_9_1.csv", sketch(X, 1.2, 0.5).csv());

@@ -1,5 +1,5 @@
 // Chapter 10 - A disc whose nodes do not meet those of its plate (Lin et al., secs. 2.4 and 3.1).
-// Run:  make ch10     Reads: nothing     Writes: ch10_disc.results, hertz.md, fig_10_2*.csv
+// Run:  make ch10     Reads: nothing     Writes: ch10_disc.results, hertz.md, fig_10_3*.csv
 #include <iostream>
 
 #include "closed_points.hpp"
@@ -54,7 +54,7 @@ void disc(const ProgramOptions& run, Results& results) {
       results.add("lumped_" + key, 100 * lumped.rms, "%");
       if (points == 1 || finer == 2) continue;
       const char* panel[] = {"", "_three", "_four"};
-      write_file(run.out / text("fig_10_2", panel[points - 2], ".csv"),
+      write_file(run.out / text("fig_10_3", panel[points - 2], ".csv"),
                  table_of({{"x", pairs.position.col(0) / b}, {"p", p}}).csv(tolerance));
     }
     table.row(row);
@@ -62,7 +62,7 @@ void disc(const ProgramOptions& run, Results& results) {
   std::cout << table.markdown();
   write_file(run.out / "hertz.md", table.markdown());
   const SolvedScene nodal = solved(hertz(21, {"mortar", 0, Quadrature::Segments}), "disc");
-  write_file(run.out / "fig_10_2_nodal.csv", table_of({{"x", nodal.model.pairs.position.col(0) / b},
+  write_file(run.out / "fig_10_3_nodal.csv", table_of({{"x", nodal.model.pairs.position.col(0) / b},
                                                        {"p", nodal.solution.pressure / q0}})
                                                  .csv(tolerance));
 }

@@ -1,19 +1,24 @@
 // Chapter 10 - One Gauss point and the forces on its four nodes (Lin et al., sec. 2.4, eqs. 32-41).
-// Run:  make ch10     Reads: nothing     Writes: ch10.results, element.md
+// Run:  make ch10     Reads: nothing     Writes: ch10.results, element.md, few.md,
+//       fig_10_1.csv
 #include "signorini/contact/gauss_points.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <iostream>
 
 #include "interfaces.hpp"
+#include "one_point.hpp"
 #include "signorini/core/table.hpp"
+#include "signorini/fem/element.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/report/results.hpp"
 
 namespace {
 
 using namespace ch10;
+using Eigen::Index;
 using Eigen::VectorXd;
 
 std::string digits(double x) { return number(std::abs(x) < 5e-5 ? 0 : x, "%.4f"); }
@@ -68,13 +73,83 @@ void one_point(const ProgramOptions& run, Results& results) {
   results.add("share", point.pairs.weight(0), "-");
   results.add("point_x", point.pairs.position(0, 0), "-");
   results.add("force_1", point.normal[0], "-");
-  results.add("force_2", point.normal[1], "-");
+  for (const std::size_t k : {1, 2, 3}) results.add(text("force_", k + 1), point.normal[k], "-");
   results.headline("force_1", 0.75 * (1 + 1 / std::sqrt(3)), "(35) by hand");
+}
+
+// 3. Figure 10.1: two points of an edge, what they face, and the forces of a pressure at the first one.
+/// \return a line from (x, y) to (x2, y2) per row
+Table sketch() {
+  const FourNodes X = (FourNodes() << 0.6, 1.3, 3.2, 1.8, 4.2, 0.25, 0, 0).finished();
+  Table table({"x", "y", "x2", "y2"});
+  const auto line = [&table](const Vector2d& from, const Vector2d& to) {
+    table.row({from.x(), from.y(), to.x(), to.y()});
+  };
+  line(X.row(0).transpose(), X.row(1).transpose());
+  line(X.row(2).transpose(), X.row(3).transpose());
+  const double root = 1 / std::sqrt(3.0);
+  const PointOverEdge first = point_over_edge(X, 0 * X, -root);
+  const PointOverEdge second = point_over_edge(X, 0 * X, root);
+  for (const PointOverEdge& at : {first, second}) line(at.x, at.place);
+  const FourNodes forces = forces_of_point(first, 1, 0);
+  for (Eigen::Index k = 0; k < 4; ++k)
+    line(X.row(k).transpose(), (X.row(k) + forces.row(k)).transpose());
+  line(first.place, first.place + 0.7 * first.n);
+  line(first.place, first.place + 0.7 * first.t);
+  return table;
+}
+
+// 4. One edge of length 2 over two of length 1, under a pressure of 1: what reaches the three nodes below, which should be
+//    1/2, 1, 1/2. No points: the two nodes of the edge press.
+std::array<double, 3> reaches(int points) {
+  if (points == 0) return {1, 0, 1};
+  std::array<double, 3> share = {0, 0, 0};
+  for (const GaussPoint& gauss : gauss_line(points)) {
+    const double x = 1 + gauss.xi;
+    const std::size_t edge = x < 1 ? 0 : 1;
+    const double N = x - static_cast<double>(edge);
+    share[edge] += gauss.weight * (1 - N);
+    share[edge + 1] += gauss.weight * N;
+  }
+  return share;
+}
+
+// 5. The same for the blocks with 7 edges over 15 of chapter 9: largest error of a node's share below [%].
+double worst_share(const Sampling& by) {
+  const Index edges = 15;
+  const SolvedScene run = solved(blocks(7, edges, by), "blocks");
+  const NodeArray forces = contact_forces(run.model, run.solution, 1);
+  const Mesh& lower = run.model.bodies[1].mesh;
+  double worst = 0;
+  for (const Index node : boundary_nodes(lower, "top")) {
+    const double x = lower.nodes(node, 0), share = 2.0 / static_cast<double>(edges);
+    const double due = x < 1e-9 || x > 2 - 1e-9 ? share / 2 : share;
+    worst = std::max(worst, std::abs(-forces(node, 1) / due - 1));
+  }
+  return 100 * worst;
+}
+
+void few_points(const ProgramOptions& run, Results& results) {
+  Table table(
+      {"points on an edge", "left node", "middle node", "right node", "7 over 15: worst node"});
+  for (const int points : {0, 1, 2, 3, 4}) {
+    const std::array<double, 3> share = reaches(points);
+    const double worst =
+        worst_share({points == 0 ? "node_to_segment" : "gauss_points", std::max(points, 1)});
+    table.row({points == 0 ? "none, nodes press" : std::to_string(points), digits(share[0]),
+               digits(share[1]), digits(share[2]), number(worst, "%.0f") + " %"});
+    results.add(text("middle_", points), share[1], "-");
+    if (points < 3) results.add(text("worst_share_", points), worst, "%");
+  }
+  std::cout << table.markdown();
+  write_file(run.out / "few.md", table.markdown());
 }
 
 SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch10");
   one_point(run, results);
+  few_points(run, results);
+  write_file(run.out / "fig_10_1.csv", sketch().csv());
   results.print();
   results.write(run.out);
   return SolveStatus::Solved;

@@ -1,6 +1,6 @@
 // Chapter 10 - How many pressures the nodes can tell apart, and what each may be (Lin et al., sec. 2.4, eq. 37).
 // Run:  make ch10     Reads: nothing     Writes: ch10_possible.results, rank.md,
-//       possible.md, fig_10_1*.csv
+//       possible.md, fig_10_2*.csv
 #include <algorithm>
 #include <cmath>
 #include <iostream>
@@ -50,7 +50,7 @@ void two_blocks(const ProgramOptions& run, Results& results) {
     ranks.row(rank);
     bounds.row(highest);
     if (points == 2 || points == 3)
-      write_file(run.out / text("fig_10_1", points == 2 ? "" : "_three", ".csv"),
+      write_file(run.out / text("fig_10_2", points == 2 ? "" : "_three", ".csv"),
                  table_of({{"x", at.col(0) / b},
                            {"lowest", possible.lowest / q0},
                            {"highest", possible.highest / q0}})

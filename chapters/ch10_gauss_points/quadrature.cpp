@@ -1,6 +1,6 @@
 // Chapter 10 - Forces of nodes: Gauss points only integrate their gaps (after Lin et al., sec. 2.4).
 // Run:  make ch10     Reads: nothing     Writes: ch10_quadrature.results,
-//       quadrature.md, fig_10_3*.csv
+//       quadrature.md, fig_10_4*.csv
 #include <algorithm>
 #include <cmath>
 #include <ctime>
@@ -88,10 +88,10 @@ void quadrature(const ProgramOptions& run, Results& results) {
              error(0) < 1e-12 ? "rounding" : percent(error(0)), percent(error(1))});
   std::cout << table.markdown();
   write_file(run.out / "quadrature.md", table.markdown());
-  write_file(run.out / "fig_10_3.csv", figure.csv(tolerance));
+  write_file(run.out / "fig_10_4.csv", figure.csv(tolerance));
   Table level({"points", "disc"});
   for (const double points : {1.8, 18.0}) level.row({points, 100 * error(1)});
-  write_file(run.out / "fig_10_3_segments.csv", level.csv(tolerance));
+  write_file(run.out / "fig_10_4_segments.csv", level.csv(tolerance));
 }
 
 SolveStatus chapter(const ProgramOptions& run) {

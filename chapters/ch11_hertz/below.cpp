@@ -1,5 +1,5 @@
 // Chapter 11 - The largest shear below the surface against M'Ewen's, also for a contact ten times narrower.
-// Run:  make ch11     Reads: nothing     Writes: ch11_below.results, shear.md, fig_11_6.csv, fig_11_6_disc.csv, fig_11_6_plate.csv
+// Run:  make ch11     Reads: nothing     Writes: ch11_below.results, shear.md, fig_11_8.csv, fig_11_8_disc.csv, fig_11_8_plate.csv
 #include <iostream>
 
 #include "hertz_run.hpp"
@@ -83,14 +83,14 @@ void draw(const ProgramOptions& run) {
   const HertzRun ours = solve_hertz({});
   const LineContact theory = ours.now.theory();
   const double b = hertz_half_width(theory);
-  write_file(run.out / "fig_11_6_disc.csv", along_axis(ours.run, 0).csv(4 * b));
-  write_file(run.out / "fig_11_6_plate.csv", along_axis(ours.run, 1).csv(4 * b));
+  write_file(run.out / "fig_11_8_disc.csv", along_axis(ours.run, 0).csv(4 * b));
+  write_file(run.out / "fig_11_8_plate.csv", along_axis(ours.run, 1).csv(4 * b));
   Table exact({"depth", "xx", "yy", "shear"});
   for (int k = 0; k <= 200; ++k) {
     const Eigen::Vector3d stress = hertz_stress(theory, 0, 0.02 * k * b);
     exact.row({0.02 * k * b, stress(0), stress(1), (stress(0) - stress(1)) / 2});
   }
-  write_file(run.out / "fig_11_6.csv", exact.csv());
+  write_file(run.out / "fig_11_8.csv", exact.csv());
 }
 
 SolveStatus chapter(const ProgramOptions& run) {

@@ -1,5 +1,5 @@
-// Chapter 11 - The bodies drawn: meshes, shear at the contact, displacements.
-// Run:  make ch11     Reads: nothing     Writes: fig_11_1_*.csv, fig_11_5*.csv, fig_11_7*.csv
+// Chapter 11 - The bodies drawn: meshes, the surfaces at the contact, displacements, shear.
+// Run:  make ch11     Reads: nothing     Writes: fig_11_1_*.csv, fig_11_5.csv, fig_11_6*.csv, fig_11_7*.csv
 
 #include "hertz_run.hpp"
 #include "papers/field_csv.hpp"
@@ -43,8 +43,8 @@ void draw_bodies(const std::filesystem::path& folder, const SolvedScene& run) {
     write_file(folder / ("fig_11_1" + end),
                deformed_cells_csv(mesh, u, Eigen::VectorXd::Zero(mesh.n_cells()), 0));
     const auto bands = [&](const char* name, const Eigen::VectorXd& value,
-                           const std::vector<double>& levels) {  // [mm], as in fig_11_7.gp
-      write_file(folder / text("fig_11_7_", name, end),
+                           const std::vector<double>& levels) {  // [mm], as in fig_11_6.gp
+      write_file(folder / text("fig_11_6_", name, end),
                  deformed_bands_csv(mesh, u, value, levels, 40));
     };
     const std::vector<double> sizes = {.002, .005, .01, .02, .03, .04, .045, .05, .055, .06};
@@ -59,14 +59,30 @@ void draw_bodies(const std::filesystem::path& folder, const SolvedScene& run) {
     const double angle = k * std::acos(0.0) / 30;
     outline.row({50 * std::sin(angle), 50 - 50 * std::cos(angle)});
   }
-  write_file(folder / "fig_11_7.csv", outline.csv());
+  write_file(folder / "fig_11_6.csv", outline.csv());
+}
+
+// 3. The two surfaces next to the contact, before and after loading; heights in micrometres.
+void draw_surfaces(const std::filesystem::path& folder, const SolvedScene& run) {
+  Table table({"x", "y", "x_moved", "y_moved"});
+  for (const std::size_t body : {0, 1}) {
+    const Mesh& mesh = run.model.bodies[body].mesh;
+    const NodeArray moved = mesh.nodes + run.solution.displacements[body];
+    for (const Eigen::Index node : boundary_nodes(mesh, body == 0 ? "rim" : "surface"))
+      if (mesh.nodes(node, 0) < 2)
+        table.row({mesh.nodes(node, 0), 1e3 * mesh.nodes(node, 1), moved(node, 0),
+                   1e3 * moved(node, 1)});
+    table.blank_line();
+  }
+  write_file(folder / "fig_11_5.csv", table.csv("rel 1e-6 abs 1e-6"));
 }
 
 SolveStatus chapter(const ProgramOptions& run) {
   const SolvedScene ours = solve_hertz({}).run;
   draw_bodies(run.out, ours);
-  write_file(run.out / "fig_11_5.csv", shear_near_contact(ours, 0, 2.5));
-  write_file(run.out / "fig_11_5_plate.csv", shear_near_contact(ours, 1, 2.5));
+  draw_surfaces(run.out, ours);
+  write_file(run.out / "fig_11_7.csv", shear_near_contact(ours, 0, 2.5));
+  write_file(run.out / "fig_11_7_plate.csv", shear_near_contact(ours, 1, 2.5));
   return SolveStatus::Solved;
 }
 

@@ -3,12 +3,14 @@
 #include <iostream>
 
 #include "hertz_run.hpp"
-#include "papers/solver_table.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/report/results.hpp"
 #include "signorini/scene/bodies.hpp"
+#include "signorini/solvers/fischer_burmeister.hpp"
+#include "signorini/solvers/primal_dual_active_set.hpp"
+#include "signorini/solvers/quasi_active_set.hpp"
 
 namespace {
 
@@ -37,11 +39,12 @@ void refinement(const ProgramOptions& run, Results& results) {
 void iterations(const ProgramOptions& run) {
   const HertzRun small = solve_hertz({}), large = solve_hertz(finer(64, 48, 60));
   Table table({"solver", "1.4k nodes", "20k nodes"});
-  for (const char* name : {"fischer_burmeister", "primal_dual_active_set", "quasi_active_set"}) {
-    std::vector<std::string> row = {name};
+  for (const Solver& solver :
+       {fischer_burmeister(), primal_dual_active_set(), quasi_active_set()}) {
+    std::vector<std::string> row = {solver.name};
     for (const SolvedScene* scene : {&small.run, &large.run}) {
-      const Solution found = solve(scene->model, scene->condensed, find_solver(name), {});
-      require_solved(found, name);
+      const Solution found = solve(scene->model, scene->condensed, solver, {});
+      require_solved(found, solver.name);
       row.push_back(std::to_string(found.contact.report.iterations));
     }
     table.row(row);

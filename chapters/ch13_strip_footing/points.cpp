@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "base.hpp"
-#include "papers/solver_table.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/report/results.hpp"
+#include "signorini/solvers/quasi_active_set.hpp"
 
 namespace {
 
@@ -17,7 +17,7 @@ void points(Results& results) {
   Scene scene = on_soil(coarse, {});
   scene.contacts.front().gap_operator = "gauss_points";
   // It does not mind gaps that depend on each other.
-  scene.solver = find_solver("quasi_active_set");
+  scene.solver = quasi_active_set();
   const SolvedScene now = solved(scene, "the footing on points");
   const Base nodal = base_of(settle(coarse, {}));
   const Index n = nodal.force.size();

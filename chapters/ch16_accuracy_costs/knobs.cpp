@@ -1,5 +1,5 @@
 // Chapter 16 - Knobs that buy nothing, and one that is cheap: points, tolerance, the last eight digits.
-// Run:  make ch16     Reads: nothing     Writes: ch16_knobs.results, fig_16_9.csv, fig_16_9_sweeps.csv, fig_16_9_digits.csv
+// Run:  make ch16     Reads: nothing     Writes: ch16_knobs.results, fig_16_6.csv, fig_16_6_sweeps.csv, fig_16_6_digits.csv
 #include <iostream>
 
 #include "scenes.hpp"
@@ -28,7 +28,7 @@ void points(const ProgramOptions& run) {
     }
     table.row({text(count), number(errors[0]), number(errors[1])});
   }
-  write_file(run.out / "fig_16_9.csv", table.csv("rel 1e-4 abs 1e-6"));
+  write_file(run.out / "fig_16_6.csv", table.csv("rel 1e-4 abs 1e-6"));
 }
 
 // 2. Sweeps that come closer and closer, none of which is exact: how many are worth while? The disc is pushed.
@@ -60,7 +60,7 @@ void sweeps(const ProgramOptions& run, Results& results) {
       table.row({static_cast<double>(count), pressure_error(pressures(now), problem.theory()),
                  of_solver, mesh});
   }
-  write_file(run.out / "fig_16_9_sweeps.csv", table.csv("rel 1e-3 abs 1e-9"));
+  write_file(run.out / "fig_16_6_sweeps.csv", table.csv("rel 1e-3 abs 1e-9"));
   results.add("mesh_error", mesh, "%");
   results.add("sweeps_worth_while", worth_while, "-");
 }
@@ -87,7 +87,7 @@ void digits(const ProgramOptions& run, Results& results) {
     if (slender == 10) results.add("refinement_share", 100 * share, "%");
     if (slender == 160) results.add("refinement_share_of_160", 100 * share, "%");
   }
-  write_file(run.out / "fig_16_9_digits.csv", table.csv());
+  write_file(run.out / "fig_16_6_digits.csv", table.csv());
 }
 
 SolveStatus chapter(const ProgramOptions& run) {

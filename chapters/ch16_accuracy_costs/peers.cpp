@@ -3,10 +3,10 @@
 #include <cmath>
 #include <iostream>
 
-#include "measured_once.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/report/results.hpp"
+#include "support/measured_once.hpp"
 
 namespace {
 
@@ -22,7 +22,7 @@ const std::vector<Program> programs = {{"signorini", "own"},
                                        {"CalculiX, node to surface", "nodes"}};
 
 SolveStatus chapter(const ProgramOptions& run) {
-  const std::vector<std::vector<double>> rows = ch16::measured_once("peers.csv");
+  const std::vector<std::vector<double>> rows = signorini_test::measured_once(SIGNORINI_CHAPTER_DATA "/peers.csv");
   Table table({"nodes", "program", "s", "MB", "larger error [%]"});
   const auto cell = [](double x, const char* format) {
     return std::isnan(x) ? std::string("-") : number(x, format);
@@ -33,7 +33,7 @@ SolveStatus chapter(const ProgramOptions& run) {
                  cell(row[2 + 3 * k], "%.0f"), cell(row[3 + 3 * k], "%.4f")});
   std::cout << table.markdown();
   write_file(run.out / "peers.md", table.markdown());
-  write_file(run.out / "fig_16_3.csv", ch16::committed("peers.csv"));
+  write_file(run.out / "fig_16_3.csv", signorini_test::committed(SIGNORINI_CHAPTER_DATA "/peers.csv"));
 
   Results results("ch16_peers");  // on the finest mesh, ours over theirs
   const std::vector<double>& finest = rows.back();

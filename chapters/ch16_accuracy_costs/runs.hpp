@@ -3,23 +3,19 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <numeric>
 #include <vector>
 
 #include "../../tests/support/hertz.hpp"
 #include "signorini/scene/readings.hpp"
+#include "support/processor_time.hpp"
 
 namespace ch16 {
 
 using namespace signorini;
 using Eigen::Index;
 using signorini_test::HertzProblem;
-
-/// \return processor time of this program so far [s]: what others do on the machine does not count
-inline double seconds() {
-  return static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC);
-}
+using signorini_test::processor_seconds;
 
 /// \param values  at least one \param share  of them below the result \return the nearest of them
 inline double quantile(std::vector<double> values, double share) {

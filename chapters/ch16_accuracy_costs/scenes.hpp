@@ -17,10 +17,4 @@ inline Scene cantilever(Index cells) {
   return signorini_test::cantilever("q4_incompatible", 10 * cells, cells);
 }
 
-/// \param cells  over its height \return its K, p, A, g
-inline Model built_cantilever(Index cells) {
-  Ledger unused;
-  return build(cantilever(cells), unused);
-}
-
 }  // namespace ch16

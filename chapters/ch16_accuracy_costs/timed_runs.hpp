@@ -25,18 +25,18 @@ struct Runs {
 /// \param scene  to be solved once more \param[in,out] runs  what it took
 inline void one_more(const Scene& scene, Runs& runs) {
   const auto wall = std::chrono::steady_clock::now();
-  const double begin = seconds();
+  const double begin = processor_seconds();
   const SolvedScene run = solved(scene, "the scene");
-  const double end = seconds();
+  const double end = processor_seconds();
   const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - wall;
   const double share = std::min(1.0, (end - begin) / passed.count());  // others took the rest
   runs.ledger = run.solution.ledger;
   for (const std::string& phase : phases)
     runs.seconds[phase].push_back(share * runs.ledger.seconds(phase));
   const Factor& factor = run.condensed.factor;
-  const double before = seconds();
+  const double before = processor_seconds();
   const Eigen::VectorXd free = factor.solve(run.model.programme.load);
-  runs.seconds["solve"].push_back(seconds() - before);
+  runs.seconds["solve"].push_back(processor_seconds() - before);
   if (!free.allFinite()) throw NotSolved("a plain solve has no numbers");
   runs.plain_operations = factor.operations() + factor.solve_operations();
 }

@@ -90,18 +90,18 @@ inline Point measured(const Way& way, Index cells) {
   const Scene scene = scene_of(way, cells);
   std::vector<double> took;
   while (took.size() < 3 && (took.empty() || took[0] < 1)) {  // long ones once
-    double begin = seconds();
+    double begin = processor_seconds();
     Ledger ledger;
     Model model = build(scene, ledger);
-    const double built = seconds();
+    const double built = processor_seconds();
     Condensed condensed = condense(model, ledger);
     Solution solution = solve(model, condensed, ledger);
     SolvedScene run{std::move(model), std::move(condensed), std::move(solution)};
     if (way.solver == newton) {
-      begin += seconds() - built;  // what it does without
+      begin += processor_seconds() - built;  // what it does without
       solve_uncondensed(run);
     }
-    took.push_back(seconds() - begin);
+    took.push_back(processor_seconds() - begin);
     point = point_of(run);
   }
   point.seconds = quantile(took, 0.5);

@@ -3,6 +3,8 @@
 #pragma once
 #include <vector>
 
+#include "addons/effects/register.hpp"        // heat, and what the plan says is off
+#include "addons/frontal/frontal_factor.hpp"  // the factor whose operations are counted
 #include "closed_form/hertz_fit.hpp"
 #include "closed_form/moduli.hpp"
 #include "meshes/hertz_meshes.hpp"

@@ -89,6 +89,51 @@ KnownProgramme rosen_suzuki(Index n, Index m, std::uint64_t seed) {
   return known;
 }
 
+// The same idea with other numbers: a conclusion that hangs on the way of drawing is none. Whole
+// numbers leave no rounding in the data: sums and products of them are exact up to \f$ 2^{53} \f$.
+//
+// With n = 1, B = 2 and A = 3 the stiffness is 5. Let u = 1, and let the row be closed with the force 4:
+// then p = 5 + 12 = 17 and g = 3, and without contact u would be 17/5, an overlap of 36/5.
+//
+// K is the identity and a sum of squares, so it is positive definite. A row of A has few entries, as a
+// gap depends on the nodes nearby, and one at least, so that no row is empty. How many rows close is
+// drawn too, from one to as many as can be independent.
+KnownProgramme whole_number_programme(Index n, Index m, std::uint64_t seed) {
+  require_argument(n > 0 && m > 0, "whole_number_programme: sizes must be positive, got n = ", n,
+                   ", m = ", m);
+  Random random(seed);
+  KnownProgramme known;
+  DenseProgramme& programme = known.programme;
+  Eigen::MatrixXd B(n, n);
+  for (double& entry : B.reshaped()) entry = random.whole(-2, 2);
+  programme.stiffness = B.transpose() * B + Eigen::MatrixXd::Identity(n, n);
+  programme.A.setZero(m, n);
+  for (Index i = 0; i < m; ++i)
+    for (Index j = 0; j < n; ++j) {
+      if (j == i % n)
+        programme.A(i, j) = random.whole(1, 5) * (2 * random.whole(0, 1) - 1);
+      else if (random.whole(1, 3) == 1)
+        programme.A(i, j) = random.whole(-5, 5);
+    }
+  known.displacement.resize(n);  // the solution
+  for (double& u : known.displacement) u = random.whole(-4, 4);
+
+  known.force.setZero(m);
+  Eigen::VectorXd gap(m);
+  for (double& open : gap) open = random.whole(1, 9);
+  for (const Index i : random_choice(random, m, random.whole(1, static_cast<int>(std::min(n, m))))) {
+    gap(i) = 0;
+    known.force(i) = random.whole(1, 9);
+  }
+  const Eigen::VectorXd stretched = programme.stiffness * known.displacement;
+  programme.load = stretched + programme.A.transpose() * known.force;
+  programme.initial_gap = programme.A * known.displacement + gap;
+  known.energy = 0.5 * known.displacement.dot(stretched) - programme.load.dot(known.displacement);
+  return known;
+}
+
+// Programmes are one thing and bodies another. The next one is a body whose solution is known, too.
+//
 // A line force on a half-plane moves a surface point at the distance r by
 // \f$ -\tfrac{2}{\pi} \ln(r/c) \f$, if forces are measured such that \f$ E/(1-\nu^2) = 1 \f$ and
 // points at the distance c stay where they are. Spread over an element of length h it is the mean
@@ -142,6 +187,8 @@ ContactProblem fathi(Index n) {
   return {L * L.transpose(), Eigen::VectorXd::Constant(n, -1)};
 }
 
+// With a matrix that is not symmetric there is no energy, and nothing forbids a long way either.
+//
 // For two pairs \f$ M = \begin{pmatrix} 1 & 2 \\ 0 & 1 \end{pmatrix} \f$ and \f$ q = (-6, -4) \f$:
 // the force 4 on the second pair closes it and opens the first by \f$ 8 - 6 = 2 \f$. All numbers
 // are powers of two or their differences, so up to \f$ n = 50 \f$ a double holds them exactly.

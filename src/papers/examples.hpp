@@ -29,6 +29,21 @@ struct KnownProgramme {
 /// \throws std::invalid_argument if a size is not positive
 [[nodiscard]] KnownProgramme rosen_suzuki(Eigen::Index n, Eigen::Index m, std::uint64_t seed);
 
+/// Another random programme built backwards, of whole numbers and with few entries: for statements that are to hold for
+/// more than one way to draw.
+///
+/// K = B^T B + I with entries of B in -2, ..., 2. One entry of a row of A, in column i mod n, is not zero, the others are
+/// with the probability 2/3; entries are in -5, ..., 5. u in -4, ..., 4. From 1 to min(n, m) rows, any number of them as
+/// likely as another, are closed with forces in 1, ..., 9; the others are open by 1, ..., 9. All data are whole numbers,
+/// and exact. Closed rows may depend on each other, so that other forces solve the problem, too; u is the only one.
+/// \param n     unknowns, at least 1
+/// \param m     rows, at least 1
+/// \param seed  of the random numbers
+/// \return programme and solution
+/// \throws std::invalid_argument if a size is not positive
+[[nodiscard]] KnownProgramme whole_number_programme(Eigen::Index n, Eigen::Index m,
+                                                    std::uint64_t seed);
+
 /// What is pressed into a half-plane.
 enum class Punch {
   Parabola,  ///< x^2 / 2R: it touches over a part of the pairs, with Hertz's pressure

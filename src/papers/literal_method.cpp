@@ -27,10 +27,12 @@ using Eigen::VectorXd;
 // The run starts without forces, on the equilibrated problem: gaps of different pairs can then be
 // compared.
 LiteralMethod::LiteralMethod(const ContactProblem& problem, const SolverOptions& options,
-                             QuasiActiveRows rows)
+                             QuasiActiveRows rows, QuasiActivePool pool)
     : problem_(problem),
       scaled_(equilibrate(problem)),
       choice_(rows),
+      pool_(pool),
+      used_(static_cast<std::size_t>(problem.free_gap.size())),
       tolerance_(options.tolerance) {
   const Index n = scaled_.free.size();
   limit_ = options.iteration_limit > 0 ? options.iteration_limit : 100 * n + 1000;
@@ -50,12 +52,28 @@ void LiteralMethod::place(
   point.movement_rounding = unit * (scaled_.free.array().abs() + point.force.sum());
 }
 
+// Rounding is not an overlap, and neither is what the loop leaves of a limit that it tends to. Both are
+// small beside the first overlap; the larger one decides.
+bool LiteralMethod::overlaps(const ActiveSetSolution& point, Index row) const {
+  return point.movement(row) <
+         -std::max(point.movement_rounding(row), tolerance_ * largest_overlap_);
+}
+
 // The list is in increasing order, as all sets of pairs are.
 std::vector<Index> LiteralMethod::violated(const ActiveSetSolution& point) const {
   std::vector<Index> rows;
   for (Index i = 0; i < point.movement.size(); ++i)
-    if (point.movement(i) < -std::max(point.movement_rounding(i), tolerance_ * largest_overlap_))
-      rows.push_back(i);
+    if (overlaps(point, i)) rows.push_back(i);
+  return rows;
+}
+
+// After the first step the paper looks outside of the rows of that step, and repeats this. If that
+// means the rows of the last step only, nothing changes, because these are satisfied. If it means the
+// rows of all earlier steps, a pair is taken once, and the loop ends at the latest when all are used.
+std::vector<Index> LiteralMethod::unused(std::vector<Index> rows) const {
+  if (pool_ == QuasiActivePool::AllPairs) return rows;
+  const auto taken = [this](Index i) { return used_[static_cast<std::size_t>(i)]; };
+  rows.erase(std::remove_if(rows.begin(), rows.end(), taken), rows.end());
   return rows;
 }
 
@@ -99,12 +117,13 @@ std::vector<Index> LiteralMethod::quasi_active(std::vector<Index> rows) const {
 // Two gaps are small for different reasons: pairs at which the loop has arrived, and pairs that it
 // only approaches. Both belong to the last problem. So the bound is wider here than for an overlap.
 // With the usual tolerance an overlap counts from \f$ 10^{-12} \f$ of the first one on, and a pair
-// is tight with a gap of up to \f$ 10^{-6} \f$ of it.
+// is tight with a gap of up to \f$ 10^{-6} \f$ of it. A pair that overlaps by more is not tight.
 std::vector<Index> LiteralMethod::tight(const ActiveSetSolution& point) const {
   const double small = std::sqrt(tolerance_) * largest_overlap_;
   std::vector<Index> rows;
   for (Index i = 0; i < point.movement.size(); ++i)
-    if (point.movement(i) <= std::max(point.movement_rounding(i), small)) rows.push_back(i);
+    if (std::abs(point.movement(i)) <= std::max(point.movement_rounding(i), small))
+      rows.push_back(i);
   return rows;
 }
 

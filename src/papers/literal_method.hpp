@@ -14,13 +14,19 @@ class LiteralMethod {
  public:
   /// \param problem  G positive semidefinite and d; must outlive this
   /// \param options  as of run_quasi_active_set_literal() \param rows  which pairs make up the quasi-active set
-  LiteralMethod(const ContactProblem& problem, const SolverOptions& options, QuasiActiveRows rows);
+  /// \param pool     among which they are looked for
+  LiteralMethod(const ContactProblem& problem, const SolverOptions& options, QuasiActiveRows rows,
+                QuasiActivePool pool);
   /// \return the run, once
   QuasiActiveRun run();
 
  private:
+  /// Whether a pair overlaps, beyond rounding and the tolerance.
+  [[nodiscard]] bool overlaps(const ActiveSetSolution& point, Eigen::Index row) const;
   /// VIO: pairs that overlap.
   [[nodiscard]] std::vector<Eigen::Index> violated(const ActiveSetSolution& point) const;
+  /// Those of them that may be taken.
+  [[nodiscard]] std::vector<Eigen::Index> unused(std::vector<Eigen::Index> rows) const;
   /// QAS, chosen among these. \PaperEq{XuanLi2002, 37}
   [[nodiscard]] std::vector<Eigen::Index> quasi_active(std::vector<Eigen::Index> rows) const;
   /// Puts the largest overlap first; overlaps that differ by rounding only keep their order.
@@ -49,6 +55,8 @@ class LiteralMethod {
   const ContactProblem& problem_;
   ScaledProblem scaled_;
   QuasiActiveRows choice_;
+  QuasiActivePool pool_;
+  std::vector<bool> used_;  // pairs that a set has had
   double tolerance_;
   double largest_overlap_;  // without contact
   Eigen::Index limit_;

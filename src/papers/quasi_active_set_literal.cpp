@@ -19,6 +19,9 @@
 // closed together, one step would do. [Chapter 4](../../chapters/ch04_quasi_active_set/README.md)
 // proves when the loop ends.
 //
+// A second reading takes every pair at most once. Then the loop above ends after step 2, with forces
+// (2, 1/2), and the first pair still overlaps by 1/2.
+//
 // This file is the flow chart of the paper. The sets of pairs and the problems with some pairs
 // alone are in [literal_method.cpp](literal_method.cpp).
 
@@ -61,15 +64,17 @@ bool LiteralMethod::outer_loop() {
   for (ActiveSetSolution step;; ++way_.outer_steps) {
     const std::vector<Index> overlapping = violated(now_);
     note(now_, static_cast<Index>(overlapping.size()));
-    if (overlapping.empty()) return true;
+    const std::vector<Index> candidates = unused(overlapping);
+    if (candidates.empty()) return true;
     if (way_.outer_steps == limit_) {
       report_.status = SolveStatus::IterationLimit;
       return false;
     }
-    const std::vector<Index> rows = quasi_active(overlapping);
+    const std::vector<Index> rows = quasi_active(candidates);
     // (31): with the moved objective the free gaps are the present ones.
     if (!solve(rows, now_.movement, step)) return false;
     way_.steps.push_back({overlapping, rows, pressed(step.force)});
+    for (const Index i : rows) used_[static_cast<std::size_t>(i)] = true;
     now_.force += step.force;  // (36)
     place(now_);
   }
@@ -80,9 +85,11 @@ bool LiteralMethod::outer_loop() {
 // solution until the first pair would overlap.
 bool LiteralMethod::last_step() {
   way_.tight = tight(now_);
+  way_.moved = scaled_.scale.cwiseProduct(now_.force);
   ActiveSetSolution next;  // (33), with the first objective
   if (!solve(way_.tight, scaled_.free, next)) return false;
   place(next);
+  way_.next = scaled_.scale.cwiseProduct(next.force);
   way_.optimal = close_to(next);
   way_.left_over = violated(next);
   for (const Index i : way_.left_over)  // (34)
@@ -106,6 +113,10 @@ bool LiteralMethod::close_to(const ActiveSetSolution& best) const {
 // alone. If that solution is where we stand, it is the solution of all. Otherwise the run says
 // `Feasible`: no pair overlaps, and there is less energy elsewhere.
 void LiteralMethod::judge() {
+  if (pool_ == QuasiActivePool::UnusedPairs && !violated(now_).empty()) {
+    report_.status = SolveStatus::IterationLimit;
+    return;
+  }
   report_.status = SolveStatus::Feasible;
   const Report so_far = report_;
   ActiveSetSolution best;
@@ -137,9 +148,10 @@ QuasiActiveRun LiteralMethod::run() {
 }
 
 QuasiActiveRun run_quasi_active_set_literal(const ContactProblem& problem,
-                                            const SolverOptions& options, QuasiActiveRows rows) {
+                                            const SolverOptions& options, QuasiActiveRows rows,
+                                            QuasiActivePool pool) {
   check_plain(problem, "quasi_active_set_literal");
-  return LiteralMethod(problem, options, rows).run();
+  return LiteralMethod(problem, options, rows, pool).run();
 }
 
 ContactState quasi_active_set_literal(const ContactProblem& problem, const SolverOptions& options) {

@@ -39,8 +39,8 @@ struct SaddlePointSolution {
 ///     \qquad
 ///     J = \begin{pmatrix} K & A^T \\ -D_a A & D_b \end{pmatrix}, \f]
 ///
-/// with the diagonal matrices of the slopes of \f$ \varphi \f$, \PaperEq{LinEtAl, 31}, of whose column a
-/// the sign is repaired. It starts at u = 0
+/// with the diagonal matrices of the slopes of \f$ \varphi \f$, \PaperEq{LinEtAl, 31} with
+/// -a, as lambda is a pressure (chapter 9, one sign). It starts at u = 0
 /// with the forces that are given. Both residuals are summed in twice the working precision and u is kept in two
 /// parts, so the last steps are also the refinement.
 ///

@@ -110,6 +110,14 @@ ContactState unfinished(const ContactProblem& problem, const ScaledProblem& scal
 
 }  // namespace
 
+// What the body stores less the work of its load. Of all displacements that overlap nowhere the
+// solution has the least.
+double potential_energy(const QuadraticProgramme& programme, const Eigen::VectorXd& displacement) {
+  require_argument(displacement.size() == programme.load.size(), "potential_energy: expects ",
+                   programme.load.size(), " displacements, got ", displacement.size());
+  return displacement.dot(0.5 * (programme.stiffness * displacement) - programme.load);
+}
+
 // For any forces \f$ \lambda \ge 0 \f$ the least value of the Lagrangian over u is at most the
 // least potential energy. That is why s is to be made large.
 double lagrangian(const QuadraticProgramme& programme, const Eigen::VectorXd& displacement,
@@ -119,8 +127,7 @@ double lagrangian(const QuadraticProgramme& programme, const Eigen::VectorXd& di
       "lagrangian: expects ", programme.load.size(), " displacements and ",
       programme.initial_gap.size(), " forces, got ", displacement.size(), " and ", force.size());
   const Eigen::VectorXd overlap = programme.A * displacement - programme.initial_gap;
-  return displacement.dot(0.5 * (programme.stiffness * displacement) - programme.load) +
-         force.dot(overlap);
+  return potential_energy(programme, displacement) + force.dot(overlap);
 }
 
 // Along \f$ \lambda = \eta\xi \f$ the weighted overlap falls in proportion to \f$ \eta \f$, from
@@ -143,6 +150,9 @@ Eigen::VectorXd surrogate_dual_gradient(const ContactProblem& problem,
   const double force = total_contact_force(problem, weights);
   return -force * (problem.free_gap + force * (problem.compliance * weights));
 }
+
+// A sum with weights \f$ \ge 0 \f$ of positive overlaps is positive: that is why this is enough.
+bool all_overlap(const ContactProblem& problem) { return (problem.free_gap.array() < 0).all(); }
 
 // Equal weights are no start if the weighted gap is open: there s is zero, and so is its slope.
 // Then only pairs that overlap get a share.

@@ -8,6 +8,14 @@
 
 namespace signorini {
 
+/// The potential energy, \PaperEq{XuanLi2002, 10} on a mesh, which is \PaperEq{XuanLi2002, 12}
+/// \param programme     K and p
+/// \param displacement  u `n` [length]
+/// \return \f$ \tfrac12 u^T K u - p^T u \f$ [force*length]
+/// \throws std::invalid_argument if sizes do not fit
+[[nodiscard]] double potential_energy(const QuadraticProgramme& programme,
+                                      const Eigen::VectorXd& displacement);
+
 /// The potential energy with the work of contact forces on the overlaps.
 /// \PaperEq{XuanLi2002, 14}, and with \f$ \lambda = \eta\xi \f$ \PaperEq{XuanLi2002, 16}
 /// \param programme     K, p, A, g
@@ -54,8 +62,14 @@ namespace signorini {
 [[nodiscard]] Eigen::VectorXd surrogate_dual_gradient(const ContactProblem& problem,
                                                       const Eigen::VectorXd& weights);
 
+/// Whether every pair overlaps without contact: \PaperEq{XuanLi2002, 26}, which is
+/// \PaperEq{XuanLi2002, 27}. Then eta > 0 for all weights, and (25) becomes the linear programme (28).
+/// \param problem  d
+/// \return A u^0 - g > 0 in every row, strictly; true if there is no pair
+[[nodiscard]] bool all_overlap(const ContactProblem& problem);
+
 /// The weights that the paper starts with, and what is done where they are of no use.
-/// \PaperEq{XuanLi2002, 26}, \PaperEq{XuanLi2002, 27}, \PaperEq{XuanLi2002, 29}
+/// \PaperEq{XuanLi2002, 29}
 /// \param problem  G and d
 /// \return e / n_c if the mean overlap without contact is positive; otherwise equal weights of the
 ///   pairs that overlap, so that eta > 0; all zero if none does

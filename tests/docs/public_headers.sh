@@ -121,7 +121,7 @@ plant $new "$internal" accepted
 plant src/public addons/a.hpp 'src/public:1: src/ has no addons/a.hpp'
 plant src/public signorini/core/z.hpp 'src/public:' 'sort the list'
 if grep -q '/solution\.cpp$' "$copy.files"; then
-    change README.md 's/`meshes.split.hpp`//' 'src/public:' 'public header includes meshes/split.hpp'
+    change chapters/ch15_friction_remembers/partial_slip.hpp '/closed_form.cattaneo.hpp/d' 'src/public:' 'public header includes closed_form/cattaneo.hpp'
     find "$copy/chapters" \( -name solution.cpp -o -name test_heldout.cpp \) -delete
     expect accepted
 fi

@@ -1,17 +1,17 @@
-// The tree of chapter 16 against the factor of Eigen, and the three ways to one compliance against each other.
+// The tree of chapter 21 against the factor of Eigen, and the three ways to one compliance against each other.
 #include <Eigen/SparseCholesky>
 #include <numeric>
 
-#include "../chapters/ch16_accuracy_costs/elimination_tree.hpp"
-#include "../chapters/ch16_accuracy_costs/scenes.hpp"
+#include "../chapters/ch21_one_factor/elimination_tree.hpp"
+#include "../chapters/ch21_one_factor/scenes.hpp"
 #include "catch_compat.hpp"
 #include "signorini/scene/bodies.hpp"
 
-using namespace ch16;
+using namespace ch21;
 
 // Exact: Eigen keeps every entry that the pattern of K and the order call for, also if it is zero by chance.
 TEST_CASE("a tree of columns has the entries of L, and no front misses one", "[trees]") {
-  const Model model = built_cantilever(GENERATE(1, 3, 6));
+  const Model model = built(cantilever(GENERATE(1, 3, 6)));
   const Sparse& K = model.programme.stiffness;
   Order given(static_cast<std::size_t>(K.cols()));
   std::iota(given.begin(), given.end(), 0);
@@ -33,7 +33,7 @@ TEST_CASE("a tree of columns has the entries of L, and no front misses one", "[t
 }
 
 TEST_CASE("contact comes last, and nothing else does", "[trees]") {
-  const Model model = built_cantilever(2);
+  const Model model = built(cantilever(2));
   const NodalRows& A = model.programme.A;
   const Order order = contact_last(model.programme.stiffness, A);
   std::vector<bool> touches(order.size(), false);

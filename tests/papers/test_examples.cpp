@@ -104,3 +104,29 @@ TEST_CASE("a flat punch touches everywhere and carries the force 1", "[examples]
   }
   CHECK_THROWS_AS(half_plane_indentation(0), std::invalid_argument);
 }
+
+TEST_CASE("a programme of whole numbers satisfies the conditions exactly", "[examples]") {
+  for (const Index n : {1, 10, 20})
+    for (const Index m : {1, 5, 40})
+      for (const std::uint64_t seed : {1, 2, 3}) {
+        CAPTURE(n, m, seed);
+        const KnownProgramme known = whole_number_programme(n, m, seed);
+        const DenseProgramme& programme = known.programme;
+        const Eigen::VectorXd u = known.displacement;
+        const Eigen::VectorXd gap = programme.initial_gap - programme.A * u;
+        CHECK(programme.load == programme.stiffness * u + programme.A.transpose() * known.force);
+        CHECK(gap.minCoeff() >= 0);
+        CHECK(known.force.minCoeff() >= 0);
+        CHECK(gap.dot(known.force) == 0);
+        const Index closed = (gap.array() == 0).count();
+        CHECK((closed >= 1 && closed <= std::min(n, m)));
+        CHECK(closed == (known.force.array() > 0).count());
+        CHECK(programme.A.cwiseAbs().rowwise().maxCoeff().minCoeff() >= 1);  // no row is empty
+        CHECK(programme.A == programme.A.array().round().matrix());
+        CHECK(symmetric_eigenvalues(programme.stiffness)(0) > 0.99);
+        CHECK(known.energy == 0.5 * u.dot(programme.stiffness * u) - programme.load.dot(u));
+      }
+  CHECK(whole_number_programme(4, 6, 7).programme.A == whole_number_programme(4, 6, 7).programme.A);
+  CHECK(whole_number_programme(4, 6, 7).programme.A != whole_number_programme(4, 6, 8).programme.A);
+  CHECK_THROWS_AS(whole_number_programme(0, 1, 1), std::invalid_argument);
+}

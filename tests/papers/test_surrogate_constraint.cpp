@@ -61,8 +61,19 @@ TEST_CASE("the maximum over weights with eta >= 0 is that with the positive part
   CHECK(pulling_wins > 0);  // without the condition the maximum is often another one
 }
 
-TEST_CASE("where all pairs overlap without contact, every eta is positive",
-          "[surrogate_dual][XuanLi2002-26]") {
+TEST_CASE("(27) asks every pair to overlap, not their mean",
+          "[surrogate_dual][closed-form][XuanLi2002-26][XuanLi2002-27]") {
+  const auto overlapping = [](double first, double second) {
+    return all_overlap({Eigen::Matrix2d::Identity(), Eigen::Vector2d(-first, -second)});
+  };
+  CHECK(overlapping(2, 1));
+  CHECK_FALSE(overlapping(2, -1));  // though the mean overlap is positive
+  CHECK_FALSE(overlapping(2, 0));   // the sign of (27) is strict
+  CHECK_FALSE(overlapping(-2, -1));
+}
+
+TEST_CASE("where all pairs overlap without contact, every eta is positive, and only there",
+          "[surrogate_dual][XuanLi2002-26][XuanLi2002-27]") {
   Random random(7);
   for (int sample = 0; sample < 50; ++sample) {
     ContactProblem problem = random_problem(random, 5);
@@ -71,7 +82,11 @@ TEST_CASE("where all pairs overlap without contact, every eta is positive",
     CHECK(s.pulling == 0);
     VectorXd weights(5);
     for (double& weight : weights) weight = random.uniform(0, 1);
+    CHECK(all_overlap(problem));
     CHECK(total_contact_force(problem, weights) > 0);
+    problem.free_gap(2) = 1;
+    CHECK_FALSE(all_overlap(problem));
+    CHECK(total_contact_force(problem, VectorXd::Unit(5, 2)) == 0);
   }
 }
 
@@ -83,13 +98,17 @@ TEST_CASE("two pairs: without eta >= 0 the open one wins, with it the one that o
   CHECK(s.pressing == 0.5);
 }
 
-TEST_CASE("s is not concave, but where it does not rise to first order it does not rise at all",
-          "[surrogate_dual]") {
+TEST_CASE(
+    "s is not concave, but where the weighted gap overlaps and s does not rise to first order, it does not rise",
+    "[surrogate_dual]") {
   const ContactProblem apart{Eigen::Matrix2d::Identity(), Eigen::Vector2d(-1, 0)};
   const auto s = [&](double t) {
     return surrogate_dual_value(apart, Eigen::Vector2d(t, 1 - t));  // t^2 / (2 t^2 + 2 (1 - t)^2)
   };
   CHECK(s(0.1) < 0.5 * s(0.2));  // below the chord from t = 0, where s = 0
+  // There the weighted gap does not overlap: the slope is zero, and s rises all the same.
+  CHECK(surrogate_dual_gradient(apart, Eigen::Vector2d(0, 1)).norm() == 0);
+  CHECK(s(1e-3) > 4e-7);
   Random random(8);
   int falls = 0;
   for (int sample = 0; sample < 400; ++sample) {

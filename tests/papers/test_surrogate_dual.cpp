@@ -186,7 +186,7 @@ TEST_CASE("the bound on the gap that is left holds near the end", "[surrogate_du
 }
 
 TEST_CASE("the start is the mean of all pairs if they overlap in the mean, else of those that do",
-          "[surrogate_dual][XuanLi2002-26][XuanLi2002-27][XuanLi2002-29]") {
+          "[surrogate_dual][XuanLi2002-29]") {
   CHECK(start_weights(two_pairs(0.3, {2, 1})) == Vector2d(0.5, 0.5));
   CHECK(start_weights(two_pairs(0.3, {2, -1})) == Vector2d(0.5, 0.5));
   CHECK(start_weights(two_pairs(0.3, {1, -2})) == Vector2d(1, 0));

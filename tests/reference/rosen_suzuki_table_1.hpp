@@ -1,4 +1,4 @@
-// Table 1 of Xuan & Li 2002 (section 4, example 1, page 816): random quadratic programmes after Rosen and
+// Table 1 of Xuan & Li 2002 (section 4, example 1, in the journal): random quadratic programmes after Rosen and
 // Suzuki, solved by Lemke's method and by the paper's, on a personal computer with a Pentium II.
 #pragma once
 #include <array>

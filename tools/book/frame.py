@@ -48,8 +48,8 @@ class Side:
 
     def html(self):
         book, out = self.book, ""
-        for title, inside in book.parts:
-            names = [name for name in book.chapters if book.chapter_of(name) in inside]
+        for title, _ in book.parts:
+            names = [name for name in book.chapters if book.part_of(name) == title]
             out += section(title, [self.entry(name) for name in names])
         out += section("Reading the library", [self.entry(name, words_of_evening(book, name)) for name in book.evenings])
         entries = [self.entry(book.page[path], words) for path, words in book.use if path in book.page]
@@ -135,9 +135,9 @@ def write_cover(book, text):
     if picture:
         body += '<figure class="picture title-picture">%s<figcaption>%s</figcaption></figure>' % (
             book.picture("use", picture[2], html.escape(picture[1]))[0], text.html(picture[1], False))
-    for title, inside in book.parts:
+    for title, _ in book.parts:
         rows = ""
-        for name in (n for n in book.chapters if book.chapter_of(n) in inside):
+        for name in (n for n in book.chapters if book.part_of(n) == title):
             number, words = numbered(book.title[name])
             rows += '<li><a href="%s.html"><i>%s</i><b>%s</b></a><span>%s</span></li>' % (
                 name, number, escaped(words), shown_by(book, text, name))

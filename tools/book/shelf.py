@@ -15,9 +15,9 @@ def slug(words):
 
 
 def numbers(words):
-    """The chapters that '1-3' or '5' names."""
-    first, _, last = words.partition("-")
-    return range(int(first), int(last or first) + 1)
+    """The chapters that '1-3, 9, 5' names, in this order."""
+    ranges = (piece.partition("-") for piece in words.split(","))
+    return [n for first, _, last in ranges for n in range(int(first), int(last or first) + 1)]
 
 
 class Book:
@@ -35,7 +35,8 @@ class Book:
                 self.page[path], self.text[name] = name, (self.root / path).read_text(encoding="utf-8")
         self.path = {name: path for path, name in self.page.items()}
         self.title = {name: re.search(r"^# (.*)", text, re.M)[1] for name, text in self.text.items()}
-        self.chapters = sorted(name for name in self.text if name.startswith("chapter-"))
+        reading = [n for _, inside in self.parts for n in inside]
+        self.chapters = sorted((name for name in self.text if name.startswith("chapter-")), key=lambda name: reading.index(int(name[-2:])))
         self.equation, self.figure, self.entry, self.words = {}, {}, {}, {}
         self.find_places()
 

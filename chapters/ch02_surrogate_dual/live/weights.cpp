@@ -21,8 +21,8 @@ Vector3d weights_of(const Request& now) {
 }
 
 Answer trade_off(const Request& now) {
-  static const SolvedScene block = solved(ch02::three_candidates(), "the block");
-  const ContactProblem& problem = block.condensed.problem;
+  static const ch02::Block block = ch02::pressed_block();
+  const ContactProblem& problem = block.problem;
   const VectorXd best = ch02::shares(block);
   const double best_value = ch02::trade(problem, best).energy;
   const Vector3d xi = weights_of(now);
@@ -42,9 +42,9 @@ Answer trade_off(const Request& now) {
   triangle.curve("these weights", Look::Here, xi.head(1), xi.segment(1, 1));
   triangle.drag_x = "first";
   triangle.drag_y = "second";
-  const VectorXd x = block.model.pairs.position.col(0);
+  const Vector3d x(-20, 0, 20);  // of the nodes of the base
   Panel forces{"Contact forces", "x [mm]", "force [N]"};
-  forces.curve("solution", Look::Cross, x, block.solution.contact.force);
+  forces.curve("solution", Look::Cross, x, block.force);
   forces.curve("these weights", Look::Closed, x, force);
   Panel gaps{"Gaps that are left", "x [mm]", "gap [mm], overlap < 0"};
   gaps.curve("closed", Look::Dotted, Vector2d(x.minCoeff(), x.maxCoeff()), Vector2d(0, 0));
@@ -63,12 +63,11 @@ Answer trade_off(const Request& now) {
     if (gap(k) < -1e-12 * problem.free_gap.cwiseAbs().maxCoeff()) overlapping.members.push_back(k);
   const std::size_t overlaps = overlapping.members.size();
   answer.number("overlaps", "pairs that still overlap", static_cast<double>(overlaps), "", "%.0f");
-  answer.says =
-      text(overlaps == 0   ? "No pair overlaps"
-           : overlaps == 1 ? "One pair still overlaps"
-                           : "Two pairs still overlap",
-           " under ", number(100 * trade.force / block.solution.contact.force.sum(), "%.0f"),
-           " % of the force of the solution.");
+  answer.says = text(overlaps == 0   ? "No pair overlaps"
+                     : overlaps == 1 ? "One pair still overlaps"
+                                     : "Two pairs still overlap",
+                     " under ", number(100 * trade.force / block.force.sum(), "%.0f"),
+                     " % of the force of the solution.");
   answer.sets = {overlapping};
   answer.panels = {triangle, forces, gaps};
   return answer;

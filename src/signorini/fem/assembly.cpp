@@ -24,7 +24,6 @@
 
 #include "signorini/core/errors.hpp"
 #include "signorini/fem/eigenstrain.hpp"
-#include "signorini/fem/elements.hpp"
 
 namespace signorini {
 namespace {
@@ -83,6 +82,8 @@ const char* usual_element(Index size) {
 
 }  // namespace
 
+const char* usual_element(const Mesh& mesh) { return usual_element(largest_cell(mesh)); }
+
 /// A scene names elements in words, and meshes come from files. That the two fit is asked once,
 /// here; an element that is given too many nodes would read only the first of them, and nobody
 /// would notice.
@@ -91,12 +92,6 @@ void check_element(const Mesh& mesh, const Element& element) {
   require_input(size == element.n_nodes, "mesh '", mesh.name, "' has cells of ", size,
                 " nodes, but the element ", element.name, " needs ", element.n_nodes, "; take ",
                 usual_element(size), " or another mesh");
-}
-
-const Element& element_for(const Mesh& mesh, const std::string& name) {
-  const Element& element = find_element(name.empty() ? usual_element(largest_cell(mesh)) : name);
-  check_element(mesh, element);
-  return element;
 }
 
 /// The sum over the strain points, with the number of strains as a constant, so that the products

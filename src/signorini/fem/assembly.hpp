@@ -60,13 +60,10 @@ void check_element(const Mesh& mesh, const Element& element);
 [[nodiscard]] Eigen::SparseMatrix<double> stiffness_pattern(const Mesh& mesh,
                                                             const Unknowns& unknowns);
 
-/// The element for a mesh.
+/// The element for those who name none: it bends without locking.
 /// \param mesh  through check_mesh()
-/// \param name  of a member of the family; empty for the usual one: t3, q4_incompatible, t6 or q8, whatever its cells
-///   need
-/// \return that member
-/// \throws ProblemError as find_element() and check_element()
-[[nodiscard]] const Element& element_for(const Mesh& mesh, const std::string& name);
+/// \return the name of a member of the family: t3, q4_incompatible, t6 or q8, whatever its cells need
+[[nodiscard]] const char* usual_element(const Mesh& mesh);
 
 /// Stiffness of one cell: the integral of \f$ B^T D B \f$ over its volume.
 /// \param element  of the cell, `m` nodes

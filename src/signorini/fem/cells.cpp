@@ -28,8 +28,12 @@ CellNodes cell_nodes(const Mesh& mesh, Index cell) {
 
 /// A mesh may mix shapes. The user names the element of the quadrilaterals, and there is only one
 /// triangle that fits beside each of them.
+/// Both are made once, because cells keep a reference. They are named here and not looked up, so
+/// that assembly does not bring the table of all elements along.
 const Element& triangle_beside(const Mesh& mesh) {
-  return find_element(mesh.order() == MeshOrder::Linear ? "t3" : "t6");
+  static const Element linear = t3();
+  static const Element quadratic = t6();
+  return mesh.order() == MeshOrder::Linear ? linear : quadratic;
 }
 
 CellBody cell_body(const CellNodes& nodes, const Elasticity& D, const Depth& depth) {

@@ -9,11 +9,13 @@
 // - q8: 99.8 %, with more than twice as many nodes.
 //
 // A member is a function that returns an Element. Its name stands in one table, so that lists,
-// scenes and the conformance suite know it at once.
+// scenes and the conformance suite know it at once. Assembly takes any element and does not know
+// the table: a program that names its element itself, q4() say, is linked with that one alone.
 
 #include "signorini/fem/elements.hpp"
 
 #include "signorini/core/family.hpp"
+#include "signorini/fem/assembly.hpp"
 
 namespace signorini {
 
@@ -29,6 +31,12 @@ const std::vector<Element>& elements() {
 
 const Element& find_element(const std::string& name) {
   return find_member(elements(), name, "element");
+}
+
+const Element& element_for(const Mesh& mesh, const std::string& name) {
+  const Element& element = find_element(name.empty() ? usual_element(mesh) : name);
+  check_element(mesh, element);
+  return element;
 }
 
 }  // namespace signorini

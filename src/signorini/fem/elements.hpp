@@ -12,6 +12,8 @@
 
 namespace signorini {
 
+struct Mesh;
+
 /// \f$ N_k = (1 + \xi_k \xi)(1 + \eta_k \eta) / 4 \f$ of the four corners, and its slopes:
 /// shared by the three four-node elements.
 /// \param xi   first coordinate in the reference square [-]
@@ -50,5 +52,12 @@ namespace signorini {
 /// \return the member
 /// \throws ProblemError listing the known names if there is none
 [[nodiscard]] const Element& find_element(const std::string& name);
+
+/// The element for a mesh.
+/// \param mesh  through check_mesh()
+/// \param name  of a member; empty for usual_element()
+/// \return that member
+/// \throws ProblemError as find_element() and check_element()
+[[nodiscard]] const Element& element_for(const Mesh& mesh, const std::string& name);
 
 }  // namespace signorini

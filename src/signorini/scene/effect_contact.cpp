@@ -64,6 +64,9 @@ ContactBodies bodies_of(const ContactSpec& contact, const std::vector<BodyModel>
           target != nullptr ? std::optional(body_index(bodies, *target)) : std::nullopt};
 }
 
+// One contact after the other is paired, checked, fitted, reduced and stacked, and says what it
+// found in a line of the plan. Then the pairs have their numbers for good.
+//
 // Slips are asked of all contacts if one has friction, so that the matrices of the contacts
 // fit below each other. A pair that supports hold on both sides is dropped by reduce(): no
 // force can act between two supports. If a contact loses all pairs in this way, the user
@@ -106,7 +109,8 @@ void declare_contact(const Scene& scene, Plan& draft) {
     draft.followed = std::make_shared<const std::vector<FollowedContact>>(std::move(followed));
 }
 
-// Number of pairs that overlap by more than rounding. Meshes that touch have gaps like
+// Number of pairs that overlap by more than rounding. It is counted after all contacts are
+// stacked, so that one line of the plan speaks of all of them. Meshes that touch have gaps like
 // \f$ -10^{-17} \f$. These are no overlaps, and must not switch an effect on.
 Index overlapping(const Plan& plan) {
   return (plan.gaps.pairs.initial_gap.array() < -gap_rounding(plan.gaps.pairs)).count();
@@ -145,7 +149,8 @@ Effect contact() {
 }
 
 // An overlap is an effect with nothing to add: g is negative there. But it loads the bodies,
-// so the plan tells it.
+// so the plan tells it. In the example, a node that begins 0.1 below the side has
+// \f$ g = -0.1 \f$. It is pressed out by that much before any load acts.
 Effect initial_overlap() {
   return {"initial overlap",
           [](const Scene& /*scene*/, const Plan& draft) { return overlapping(draft) > 0; },

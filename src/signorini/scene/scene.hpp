@@ -110,7 +110,7 @@ struct Scene {
 /// \throws ProblemError as plan() and assemble()
 [[nodiscard]] Model build(const Scene& scene, Ledger& ledger);
 
-/// All of it: plan, build, condense, solve. \param scene  to be solved
+/// All of it: plan, build, condense, solve; \PaperEq{XuanLi2002, 9}, on a mesh \PaperEq{XuanLi2002, 11}. \param scene  to be solved
 /// \return the solution; its status and the errors are those of the four steps
 /// \throws ProblemError for a scene of load steps: that is for solve_steps() of the add-on steps, as solve_to_limit() is for a
 ///   scene with friction whose loads may be more than that holds

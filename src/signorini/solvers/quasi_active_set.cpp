@@ -23,6 +23,7 @@
 #include <utility>
 
 #include "signorini/core/rounding.hpp"
+#include "signorini/problem/active_set_system.hpp"
 #include "signorini/problem/certificate.hpp"
 #include "signorini/problem/farkas.hpp"
 #include "signorini/solvers/dual_active_set.hpp"

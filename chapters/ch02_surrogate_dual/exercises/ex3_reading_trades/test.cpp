@@ -25,8 +25,8 @@ TEST_CASE("ex2.3 the answers fit each other", "[ex2.3]") {
 // What a trade is worth follows from the overlap and the yield, (24).
 TEST_CASE("ex2.3 the yields make the worth of the best pair", "[ex2.3]") {
   const Answers mine = answers();
-  const signorini::SolvedScene block = signorini::solved(ch02::three_candidates(), "the block");
-  const signorini::ContactProblem& problem = block.condensed.problem;
+  const ch02::Block block = ch02::pressed_block();
+  const signorini::ContactProblem& problem = block.problem;
   REQUIRE((0 <= mine.best_pair && mine.best_pair < 3));
   const double overlap = -problem.free_gap(mine.best_pair);
   const double worth =

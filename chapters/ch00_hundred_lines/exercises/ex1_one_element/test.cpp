@@ -1,0 +1,34 @@
+#include "catch_compat.hpp"
+#include "exercise.hpp"
+
+using Corners = Eigen::Matrix<double, 3, 2>;
+using Matrix6d = Eigen::Matrix<double, 6, 6>;
+
+static Eigen::Matrix3d simple() { return Eigen::Vector3d(1, 1, 0.5).asDiagonal(); }
+
+static Corners unit() { return (Corners() << 0, 0, 1, 0, 0, 1).finished(); }
+
+TEST_CASE("ex0.1 the triangle of paper and pencil", "[ex0.1]") {
+  const Matrix6d K = ex0_1::triangle_stiffness(unit(), simple(), 1);
+  Eigen::Matrix<double, 1, 6> first;
+  first << 3, 1, -2, -1, -1, 0;
+  CHECK((4 * K.row(0) - first).norm() < 1e-14);
+  CHECK((K - K.transpose()).norm() < 1e-14);
+}
+
+TEST_CASE("ex0.1 twice as thick is twice as stiff, twice as large is as stiff", "[ex0.1]") {
+  const Matrix6d K = ex0_1::triangle_stiffness(unit(), simple(), 1);
+  CHECK(K.norm() > 1);
+  CHECK((ex0_1::triangle_stiffness(unit(), simple(), 2) - 2 * K).norm() < 1e-14);
+  CHECK((ex0_1::triangle_stiffness(2 * unit(), simple(), 1) - K).norm() < 1e-14);
+}
+
+TEST_CASE("ex0.1 translations and a turn need no force", "[ex0.1]") {
+  const Corners corners = (Corners() << 1, 2, 4, 1, 2, 5).finished();
+  const Matrix6d K = ex0_1::triangle_stiffness(corners, simple(), 1);
+  CHECK(K.norm() > 1);
+  Eigen::Matrix<double, 6, 3> rigid;
+  for (Eigen::Index k = 0; k < 3; ++k)
+    rigid.middleRows<2>(2 * k) << 1, 0, -corners(k, 1), 0, 1, corners(k, 0);
+  CHECK((K * rigid).norm() < 1e-13);
+}
