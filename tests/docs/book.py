@@ -150,6 +150,7 @@ class Texts(unittest.TestCase):
         self.assertIn('<th>a</th><th class="num">b</th>', self.html("| a | b |\n|:--|--:|\n| x | 1.5 |"))
         self.assertIn("<td>a|b</td>", self.html("| a |\n|:--|\n| a\\|b |"))
         self.assertIn("<h2 id=\"the-gap\">The gap", self.html("## The gap"))
+        self.assertEqual(self.html('One.\n\n<div class="sheet"></div>\n\nTwo.'), '<p>One.</p>\n<div class="sheet"></div>\n<p>Two.</p>')
         self.assertIn('<h2 id="the-gap-1">', self.html("## The gap\n\n## The gap"))
         self.assertIn('<figure class="code wide cpp">', self.html("```cpp\n%s;\n```" % ("x" * 80)))
         self.assertIn('<figure class="code wide long cpp">', self.html("```cpp\n%s;\n```" % ("x" * 120)))
@@ -274,6 +275,7 @@ class Whole(unittest.TestCase):
                 ("a picture that is not there", (one, "figures/fig.svg", "figures/gone.svg"), one + ": error: no picture"),
                 ("a live figure without source", (one, "![Fig", "<!-- live gone -->\n\n![Fig"), one + ": error: no live figure gone"),
                 ("a reference that does not exist", ("src/papers/thing.hpp", "ref Smith1990", "ref Smith1991"), "no reference Smith1991"),
+                ("a chapter in no part", ("docs/parts", "part Later: 4-99\n", ""), "docs/parts: error: chapter-05 is in no part"),
                 ("a part that says nothing", ("docs/parts", "part First", "port First"), "docs/parts: error: expected part, paper or use")):
             folder = make(FOLDER / "fault", [change])
             code, said = run(folder)
