@@ -83,6 +83,7 @@ class Formulas(unittest.TestCase):
         self.shows("a \\le \\lambda", "<mo>≤</mo><mi>λ</mi>")
 
     def test_structure(self):
+        self.shows("|x|", '<mo stretchy="false" lspace="0" rspace="0">|</mo><mi>x</mi>')
         self.shows("x_i^2", "<msubsup><mi>x</mi><mi>i</mi><mrow><mn>2</mn></mrow></msubsup>")
         self.shows("\\tfrac12", "<mfrac><mn>1</mn><mn>2</mn></mfrac>")
         self.shows("\\min_x f", "<munder>", 'movablelimits="true"')
@@ -114,6 +115,7 @@ class Texts(unittest.TestCase):
         self.assertIn("−3\u00a0mm", self.html("at -3 mm"))
         self.assertIn("it’s “so”", self.html("it's \"so\""))
         self.assertRegex(self.html("with $a$, and"), r'<span class="nb"><math>.*</math>,</span> and')
+        self.assertIn('<p><span class="move"><math>', self.html("$a + b + c + d + e + f + g + h + i + j + k + l + m + n + o$"))
         self.assertIn("half-<em>plane</em>", self.html("half-*plane*"))
 
     def test_references_have_previews(self):
