@@ -83,6 +83,7 @@ class Formulas(unittest.TestCase):
         self.shows("a \\le \\lambda", "<mo>≤</mo><mi>λ</mi>")
 
     def test_structure(self):
+        self.shows("|x|", '<mo stretchy="false" lspace="0" rspace="0">|</mo><mi>x</mi>')
         self.shows("x_i^2", "<msubsup><mi>x</mi><mi>i</mi><mrow><mn>2</mn></mrow></msubsup>")
         self.shows("\\tfrac12", "<mfrac><mn>1</mn><mn>2</mn></mfrac>")
         self.shows("\\min_x f", "<munder>", 'movablelimits="true"')
@@ -114,6 +115,7 @@ class Texts(unittest.TestCase):
         self.assertIn("−3\u00a0mm", self.html("at -3 mm"))
         self.assertIn("it’s “so”", self.html("it's \"so\""))
         self.assertRegex(self.html("with $a$, and"), r'<span class="nb"><math>.*</math>,</span> and')
+        self.assertIn('<p><span class="move"><math>', self.html("$a + b + c + d + e + f + g + h + i + j + k + l + m + n + o$"))
         self.assertIn("half-<em>plane</em>", self.html("half-*plane*"))
 
     def test_references_have_previews(self):
@@ -150,6 +152,7 @@ class Texts(unittest.TestCase):
         self.assertIn('<th>a</th><th class="num">b</th>', self.html("| a | b |\n|:--|--:|\n| x | 1.5 |"))
         self.assertIn("<td>a|b</td>", self.html("| a |\n|:--|\n| a\\|b |"))
         self.assertIn("<h2 id=\"the-gap\">The gap", self.html("## The gap"))
+        self.assertEqual(self.html('One.\n\n<div class="sheet"></div>\n\nTwo.'), '<p>One.</p>\n<div class="sheet"></div>\n<p>Two.</p>')
         self.assertIn('<h2 id="the-gap-1">', self.html("## The gap\n\n## The gap"))
         self.assertIn('<figure class="code wide cpp">', self.html("```cpp\n%s;\n```" % ("x" * 80)))
         self.assertIn('<figure class="code wide long cpp">', self.html("```cpp\n%s;\n```" % ("x" * 120)))
@@ -198,6 +201,9 @@ class Sources(unittest.TestCase):
         said = cxx.highlighted("int n = solve_all(1);  // solve_all", "cpp", cxx.linker(self.book))
         self.assertIn('<a href="source-papers-thing-hpp.html#solve_all">solve_all</a>(<span class="n">1</span>)', said)
         self.assertIn('<span class="c">// solve_all</span>', said)
+        for code, links in (("  return solve_all(1);", 1), ("  int solve_all(1);", 0), ("int solve_all(int a) {", 1), ("  x.solve_all(1);", 0),
+                            ("  a = b * solve_all(1);", 1), ("  f(solve_all(1));", 1)):
+            self.assertEqual(cxx.highlighted(code, "cpp", cxx.linker(self.book)).count("<a "), links, code)
 
     def test_copies_for_doxygen_keep_their_lines(self):
         for path in ["src/papers/thing.hpp"]:
@@ -271,6 +277,7 @@ class Whole(unittest.TestCase):
                 ("a picture that is not there", (one, "figures/fig.svg", "figures/gone.svg"), one + ": error: no picture"),
                 ("a live figure without source", (one, "![Fig", "<!-- live gone -->\n\n![Fig"), one + ": error: no live figure gone"),
                 ("a reference that does not exist", ("src/papers/thing.hpp", "ref Smith1990", "ref Smith1991"), "no reference Smith1991"),
+                ("a chapter in no part", ("docs/parts", "part Later: 4-99\n", ""), "docs/parts: error: chapter-05 is in no part"),
                 ("a part that says nothing", ("docs/parts", "part First", "port First"), "docs/parts: error: expected part, paper or use")):
             folder = make(FOLDER / "fault", [change])
             code, said = run(folder)

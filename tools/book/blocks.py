@@ -61,6 +61,9 @@ class Text:
             return i + 1
         if line.startswith("<!--"):
             return until(lines, lambda t: "-->" in t, i) + 1
+        if re.match(r'<div class="\w+"></div>\s*$', line):    # where a sheet begins
+            self.out.append(line.strip())
+            return i + 1
         m = re.match(r'<a id="([\w-]+)"></a>\s*$', line)
         if m:
             self.anchor = m[1]

@@ -16,9 +16,12 @@ WORDS = re.compile(
     static_cast|struct|switch|template|this|throw|true|try|typename|using|virtual|void|while)\b)|
     (?P<i>\b[A-Za-z_]\w+)""", re.X | re.M | re.S)
 
+# Before a member or a variable, whose type comes first; after return and its like a function is called.
+NAMED_HERE = re.compile(r"\s.*(?<!\breturn)(?<!\belse)(?<!\bthrow)(?<!\bcase)(?<=[\w>&*])(?<!\s[&*])\s$")
+
 
 def highlighted(code, language, link=lambda name, before, after: None):
-    """Code as HTML; `link` says where a name leads, from the signs before and after it."""
+    """Code as HTML; `link` says where a name leads, from what stands before it in its line, and the sign after it."""
     if language not in ("cpp", "c++"):
         return escaped(code)
 
@@ -26,7 +29,7 @@ def highlighted(code, language, link=lambda name, before, after: None):
         kind, said = m.lastgroup, escaped(m[0])
         if kind != "i":
             return "\n".join('<span class="%s">%s</span>' % (kind, line) for line in said.split("\n"))
-        to = link(m[0], code[max(0, m.start() - 5):m.start()], code[m.end():m.end() + 1])
+        to = link(m[0], code[code.rfind("\n", 0, m.start()) + 1:m.start()], code[m.end():m.end() + 1])
         return '<a href="%s">%s</a>' % (to, said) if to else said
 
     out, at = [], 0
@@ -85,7 +88,7 @@ def linker(book, own=None):
     where = index(book.root)
 
     def link(word, before="", after=""):
-        called = after in ("(", "<") and not before.endswith((".", "->", "std::"))
+        called = after in ("(", "<") and not before.endswith((".", "->", "std::")) and not NAMED_HERE.match(before)
         to = where.get(word) if word != "Eigen" and (word[0].isupper() or called) else None
         return "%s#%s" % ("" if to == own else book.source_page(to) + ".html", word) if to else None
     return link

@@ -17,6 +17,7 @@ UNIT = re.compile(r"(?<=[\d\0]) (?=(?:[kM]?N|[ckµ]?m|mm|[MG]Pa|%|ms|s|MB|GB|°)
 PAPER = re.compile(r"\\PaperEq\{\s*(\w+)\s*,\s*([^}]*?)\s*\}")
 SAME_PAPER = re.compile(r"\\PaperEq\{(\w+), *([^}]*)\}, \\PaperEq\{\1, *")
 ENTRY = re.compile(r"\[\\ref (\w+)\]")
+WIDE_FORMULA = 28    # signs
 MARK = re.compile(r"\0(\d+)\0")
 # A formula and the signs that may not stand alone at the begin of a line, or at the end of one.
 STUCK = re.compile(r"([(\[±−“]*)(\0\d+\0)((?:\u00a0[\w/²%]+)?(?:’s|[.,;:!?)\]%”])+|\u00a0[\w/²%]+|-\w+)?")
@@ -44,6 +45,12 @@ class Inline:
         except FormulaError as error:
             self.book.complain(self.book.path.get(self.page, self.page), str(error))
             return "<code>%s</code>" % escaped(tex), None
+
+    def small(self, m):
+        """A formula within a line; one that is longer than a line of a phone can be moved there."""
+        mathml = self.math(m[1])[0]
+        wide = len(re.sub(r"<[^>]*>", "", mathml)) > WIDE_FORMULA
+        return self.keep('<span class="move">%s</span>' % mathml if wide else mathml)
 
     def code(self, m):
         if m.string[m.start() - 1:m.start()] == "$":
@@ -94,8 +101,8 @@ class Inline:
         """Everything that later rules have to leave alone."""
         text = re.sub(r"<!--.*?-->", "", text)
         text = CODE.sub(self.code, text)
-        text = TICKED.sub(lambda m: self.keep(self.math(m[1])[0]), text)
-        text = DOLLARS.sub(lambda m: self.keep(self.math(m[1])[0]), text)
+        text = TICKED.sub(self.small, text)
+        text = DOLLARS.sub(self.small, text)
         while SAME_PAPER.search(text):
             text = SAME_PAPER.sub(r"\\PaperEq{\1, \2, ", text)
         text = ENTRY.sub(self.entry, PAPER.sub(self.paper, text))
@@ -123,7 +130,8 @@ class Inline:
     def stuck(self, m):
         """A formula with its comma: no line begins with one."""
         inside = self.kept[int(m[2][1:-1])]
-        return '<span class="nb">%s</span>' % m[0] if (m[1] or m[3]) and "<math" in inside else m[0]
+        kind = "nb move" if 'class="move"' in inside else "nb"
+        return '<span class="%s">%s</span>' % (kind, m[0]) if (m[1] or m[3]) and "<math" in inside else m[0]
 
     def html(self, text, words=True):
         text = self.set_as_printed(self.finished(text))

@@ -36,7 +36,11 @@ class Book:
         self.path = {name: path for path, name in self.page.items()}
         self.title = {name: re.search(r"^# (.*)", text, re.M)[1] for name, text in self.text.items()}
         reading = [n for _, inside in self.parts for n in inside]
-        self.chapters = sorted((name for name in self.text if name.startswith("chapter-")), key=lambda name: reading.index(int(name[-2:])))
+        self.chapters = sorted((name for name in self.text if name.startswith("chapter-")),
+                               key=lambda name: [*reading, int(name[-2:])].index(int(name[-2:])))
+        for name in self.chapters:
+            if int(name[-2:]) not in reading:
+                self.complain("docs/parts", "%s is in no part" % name)
         self.equation, self.figure, self.entry, self.words = {}, {}, {}, {}
         self.find_places()
 

@@ -37,6 +37,7 @@ THIN = '<mspace width=".17em"/>'
 def operator(sign, kind="mo"):
     """A sign that stays as small as it is."""
     still = ' stretchy="false"' if sign in "{}|‖⟨⟩()[]⌊⌋⌈⌉" else ""
+    still += ' lspace="0" rspace="0"' if sign in "|‖" else ""    # which of the two begins a norm is not known
     return kind, "<mo%s>%s</mo>" % (still, escaped(sign))
 
 
