@@ -3,7 +3,7 @@
 #
 # src/evenings lists the files of src/signorini/ and src/papers/ in the order in which they are read. --check complains if a file
 # stands on no evening or on two, if a header includes one that comes later, if a file has more than 250 lines or if less than a
-# quarter of its lines that are not blank are comments (and no line `still long:` or `still short:` excuses it), and if a link or
+# quarter of its lines that are not blank are comments, and if a link or
 # an equation in a comment leads nowhere. tools/book makes the pages. For them --leads prints, for each function of a source that a
 # header declares, the file, the line at which its code begins and, in Markdown, where it leads: to its contract (of a private one, that
 # of its class), to tests and chapters that use it, and to equations of the papers that its comments name.
@@ -26,20 +26,19 @@ sub slurp {
     return <$in>;
 }
 
-# ---- The list: evenings with title, text and files; debts.
+# ---- The list: evenings with title, text and files.
 
-my (@evening, %debt, @page);
+my (@evening, @page);
 for (split /\n/, slurp('src/evenings')) {
     next if /^#|^$/;
     if (/^evening \d+: (.+)/) { push @evening, { title => $1, text => '', files => [] } }
-    elsif (/^still (long|short): (\S+)$/) { $debt{"$1: $2"} = 1 }
     elsif (/^ +(.*)/ && @evening) { $evening[-1]{text} .= "$1\n" }
     elsif (/^\w[\w\/]*$/ && @evening) {
         my @there = grep { -f "src/$_" } "$_.hpp", "$_.cpp";
         push @complaints, "src/evenings: there is no $_.hpp and no $_.cpp" if !@there;
         push @{ $evening[-1]{files} }, @there;
     }
-    else { push @complaints, "src/evenings: expected an evening, a name or a debt, got: $_" }
+    else { push @complaints, "src/evenings: expected an evening or a name, got: $_" }
 }
 for my $n (1 .. @evening) { push @page, map { { path => $_, evening => $n } } @{ $evening[$n - 1]{files} } }
 my (%at, %text);
@@ -56,16 +55,13 @@ sub narrates { my @line = grep { /\S/ } split /\n/, $_[0]; return $share * grep(
 
 for my $path (sort keys %text) {
     my $lines = ($text{$path} =~ tr/\n//);
-    my %fault;
-    $fault{"long: $path"}  = "$lines lines, at most $longest are read in one go" if $lines > $longest;
-    $fault{"short: $path"} = "fewer comments than one line of $share" if !narrates($text{$path});
-    for (sort keys %fault) { push @complaints, "src/$path: $fault{$_}" if !delete $debt{$_} }
+    push @complaints, "src/$path: $lines lines, at most $longest are read in one go" if $lines > $longest;
+    push @complaints, "src/$path: fewer comments than one line of $share" if !narrates($text{$path});
     next if $path !~ /hpp$/;
     for my $used ($text{$path} =~ /^#include "([^"]+)"/mg) {
         push @complaints, "src/evenings: $path includes $used, which comes later" if exists $at{$used} && $at{$used} > $at{$path};
     }
 }
-push @complaints, "src/evenings: this debt is paid, take it out: still $_" for sort keys %debt;
 
 # ---- A file as pieces of prose and code.
 

@@ -1,7 +1,6 @@
 #!/bin/sh
-# linked_alone.sh ROOT FOLDER COMPILER ARCHIVE...: links every folder of the library that owes nothing, all of it, with nothing but the
-# folders that src/plan gives it: no symbol may be undefined. Folders with a debt in src/plan, of their own or of what they use, are
-# left out. Then plants symbols that are nowhere, and some of folders above, to see that they are found. Works in FOLDER.
+# linked_alone.sh ROOT FOLDER COMPILER ARCHIVE...: links every folder of the library, all of it, with nothing but the folders that
+# src/plan gives it: no symbol may be undefined. Then plants symbols that are nowhere, and some of folders above, to see that they are found. Works in FOLDER.
 # COMPILER is the command that links, with flags, such as "g++ -fsanitize=address".
 set -u
 root=$1 work=$2 compiler=$3
@@ -13,26 +12,17 @@ rm -rf "$work"
 mkdir -p "$work"
 echo 'int main() { return 0; }' > "$work/main.cpp"
 
-# Of every folder without debts a line: its name and those that it may use, the upper ones first, which is how archives are searched.
+# Of every folder a line: its name and those that it may use, the upper ones first, which is how archives are searched.
 awk '
     function last(path) { sub(/.*\//, "", path); return path }
     /^[a-z].*:/ {
-        owes = sub(/^still /, "")
         colon = index($0, ":")
         name = last(substr($0, 1, colon - 1))
-        if (owes) { debt[name] = 1; next }
-        order[++n] = name
-        count = split(substr($0, colon + 1), other, " ")
-        for (k = count; k > 0; --k) uses[name] = uses[name] " " last(other[k])
-    }
-    END {
-        for (i = 1; i <= n; ++i) {
-            count = split(uses[order[i]], other, " ")
-            for (k = 1; k <= count; ++k) if (other[k] in debt) debt[order[i]] = 1
-            if (!(order[i] in debt)) print order[i] uses[order[i]]
-        }
+        uses = ""
+        for (k = split(substr($0, colon + 1), other, " "); k > 0; --k) uses = uses " " last(other[k])
+        print name uses
     }' "$root/src/plan" > "$work/alone"
-[ -s "$work/alone" ] || { echo "src/plan: every folder owes something"; exit 1; }
+[ -s "$work/alone" ] || { echo "src/plan: no folder"; exit 1; }
 
 archive_of() { # a folder
     for one in $archives; do

@@ -1,6 +1,5 @@
 #!/bin/sh
-# rooms.sh ROOT FOLDER OBJECT...: every folder of the library includes and calls only those that src/plan gives it, and needs every
-# debt that stands there. Calls are read from the symbols of the objects; if one is not compiled, calls are left out. Then copies the
+# rooms.sh ROOT FOLDER OBJECT...: every folder of the library includes and calls only those that src/plan gives it. Calls are read from the symbols of the objects; if one is not compiled, calls are left out. Then copies the
 # library to FOLDER and plants includes in it, and calls in lists of symbols, to see that the faults among them are found.
 set -u
 root=$1 copy=$2
@@ -8,7 +7,6 @@ shift 2
 [ $# -gt 0 ] || { echo "rooms.sh: no objects, expected those of the library" >&2; exit 2; }
 mkdir -p "$(dirname "$copy")"
 plan=$copy.plan
-debts=$copy.debts  # those that were needed
 cp "$root/src/plan" "$plan"
 
 # Which folder may use which, for awk: of names, the last part of a path.
@@ -17,24 +15,15 @@ folders='
     BEGIN {
         while ((getline line < plan) > 0) {
             if (line !~ /^[a-z].*:/) continue
-            owes = sub(/^still /, "", line)
             name = line
             sub(/:.*/, "", name)
             sub(/^[^:]*:/, "", line)
             of_path[name] = name = last(name)
-            if (!owes) known[name] = 1
-            for (k = split(line, other, " "); k > 0; --k) {
-                if (owes) owed[name " " last(other[k])] = 1
-                else may[name " " last(other[k])] = 1
-            }
+            known[name] = 1
+            for (k = split(line, other, " "); k > 0; --k) may[name " " last(other[k])] = 1
         }
     }
-    function may_use(name, other) {
-        if (name == other || (name " " other) in may) return 1
-        if (!((name " " other) in owed)) return 0
-        print name " " other > debts
-        return 1
-    }
+    function may_use(name, other) { return name == other || (name " " other) in may }
     function allowed(name,    edge, word, list) {
         for (edge in may) { split(edge, word, " "); if (word[1] == name) list = list " " word[2] }
         return list == "" ? " nothing else" : list
@@ -43,7 +32,7 @@ folders='
 
 check() ( # the library in $1/src; a line per fault
     cd "$1/src" || exit 1
-    find signorini meshes closed_form papers addons -type f | sort | xargs awk -v plan="$plan" -v debts="$2" "$folders"'
+    find signorini meshes closed_form papers addons -type f | sort | xargs awk -v plan="$plan" "$folders"'
         function fault(what) { print "src/" FILENAME ":" FNR ": " what; bad = 1 }
         FNR == 1 {
             path = FILENAME
@@ -66,7 +55,7 @@ check() ( # the library in $1/src; a line per fault
 )
 
 check_calls() { # symbols of objects on the input, as `nm -A -P` lists them; a line per fault
-    awk -v plan="$plan" -v debts="$1" "$folders"'
+    awk -v plan="$plan" "$folders"'
         function fault(what) { print what; bad = 1 }
         function folder_of(object,    name) { # that of .../signorini_NAME.dir/...
             if (object in seen_before) return seen_before[object]
@@ -93,10 +82,9 @@ check_calls() { # symbols of objects on the input, as `nm -A -P` lists them; a l
                 right = 0
                 n = split(homes[word[2]], other, " ")
                 for (k = n; k > 0; --k) {
-                    if (name == other[k] || (name " " other[k]) in may) right = 1
+                    if (may_use(name, other[k])) right = 1
                     if (name != other[k]) seen = 1
                 }
-                for (k = n; k > 0 && !right; --k) right = may_use(name, other[k])
                 if (!right) fault(name " must not call " word[2] " of" homes[word[2]] ", as " calls[call] " does; it may call:" allowed(name))
             }
             if (!seen) fault("no folder calls another one: these are no symbols of the library")
@@ -104,9 +92,7 @@ check_calls() { # symbols of objects on the input, as `nm -A -P` lists them; a l
         }'
 }
 
-: > "$debts"
-: > "$debts.calls"
-check "$root" "$debts" || exit 1
+check "$root" || exit 1
 symbols=$copy.symbols
 : > "$symbols"
 missing=""
@@ -114,13 +100,7 @@ for object in "$@"; do [ -e "$object" ] || missing=$object; done
 command -v nm > /dev/null || missing=nm
 if [ -z "$missing" ]; then
     nm -A -P "$@" > "$symbols" || { echo "rooms.sh: nm ends with status $?" >&2; exit 1; }
-    check_calls "$debts.calls" < "$symbols" > "$copy.faults" || { c++filt < "$copy.faults"; exit 1; }
-    for edge in $(sed -n 's/^still //p' "$plan" | sed 's/[^: ]*\///g; s/: */:/; s/ /,/g'); do
-        from=${edge%%:*}
-        for to in $(echo "${edge#*:}" | tr ',' ' '); do
-            cat "$debts" "$debts.calls" | grep -qx "$from $to" || { echo "src/plan: $from owes nothing to $to: leave it out"; exit 1; }
-        done
-    done
+    check_calls < "$symbols" > "$copy.faults" || { c++filt < "$copy.faults"; exit 1; }
 else
     echo "calls are left out: there is no $missing"
 fi
@@ -132,7 +112,7 @@ expect() { # accepted or found, file, include
     for part in signorini meshes closed_form papers addons; do cp -R "$root/src/$part" "$copy/src"; done
     mkdir -p "$copy/src/$(dirname "$2")"
     printf '#include %s\n' "$3" >> "$copy/src/$2"
-    if said=$(check "$copy" /dev/null); then got=accepted; else got=found; fi
+    if said=$(check "$copy"); then got=accepted; else got=found; fi
     [ "$got" = "$1" ] || { echo "$2 with #include $3: $got, expected $1. $said"; failures=$((failures + 1)); }
 }
 expect accepted signorini/core/errors.hpp '<vector>'
@@ -158,7 +138,7 @@ expect found signorini/attic/old.hpp '<vector>'
 expect found addons/old.hpp '<vector>'
 
 expect_calls() { # accepted or found, what they are, and on the input the symbols
-    if said=$(check_calls /dev/null); then got=accepted; else got=found; fi
+    if said=$(check_calls); then got=accepted; else got=found; fi
     [ "$got" = "$1" ] || { echo "$2: $got, expected $1. $said"; failures=$((failures + 1)); }
 }
 expect_call() { # accepted or found, the folders of a call and of what it calls, type of the latter; beside a call that may be
