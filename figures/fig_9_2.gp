@@ -10,6 +10,7 @@ set ylabel 'residual, over that at the start'
 set yrange [1e-18:10]
 set ytics 1e-18, 1e3
 set tmargin 6.5
+set lmargin 10
 set key at graph 1,1.03 bottom right
 plot file using 'step':'residual' every :::0::0 with linespoints ls 1 title 'condensed', \
      file using 'step':'residual' every :::1::1 with linespoints ls 2 title 'uncondensed, scaled', \
