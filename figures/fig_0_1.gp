@@ -21,7 +21,9 @@ do for [k=1:8] {
   set label k word(names, k) at k,0.1 center textcolor rgb BLACK
   set label 10+k word(names, k) at 0.25,k right textcolor rgb BLACK
 }
+# a whole number with its sign, 0 without one
+signed(v) = v > 0 ? sprintf('+%.0f', v) : v < 0 ? sprintf('−%.0f', -v) : '0'
 set palette defined (-12 '#8ec3e6', 0 '#ffffff', 12 '#f2b27a')
 set cbrange [-12:12]
 plot data.'/fig_0_1.csv' using 'column':'row':(0.5):(0.5):'entry' with boxxyerror fs solid border lc rgb GREY fc palette, \
-     '' using 'column':'row':(sprintf('%+.0f', column('entry'))) with labels textcolor rgb BLACK
+     '' using 'column':'row':(signed(column('entry'))) with labels textcolor rgb BLACK

@@ -25,7 +25,9 @@ do for [k=1:6] {
 do for [i=0:1] { do for [j=0:1] {
   set object 1+2*i+j rectangle from (i?8.5:2.5),(j?8.5:2.5) to (i?10.5:4.5),(j?10.5:4.5) front fs empty border lc rgb RED lw 2.5
 } }
+# a whole number with its sign, 0 without one
+signed(v) = v > 0 ? sprintf('+%.0f', v) : v < 0 ? sprintf('−%.0f', -v) : '0'
 set palette defined (-12 '#8ec3e6', 0 '#ffffff', 12 '#f2b27a', 24 '#e08a3c')
 set cbrange [-12:24]
 plot data.'/fig_0_2.csv' using 'column':'row':(0.5):(0.5):'entry' with boxxyerror fs solid border lc rgb LIGHT fc palette, \
-     '' using 'column':'row':(column('entry') == 0 ? '·' : sprintf('%+.0f', column('entry'))) with labels textcolor rgb BLACK
+     '' using 'column':'row':(column('entry') == 0 ? '·' : signed(column('entry'))) with labels textcolor rgb BLACK

@@ -10,8 +10,9 @@ set ylabel 'residual, over that at the start'
 set yrange [1e-18:10]
 set ytics 1e-18, 1e3
 set tmargin 6.5
+set lmargin 10
 set key at graph 1,1.03 bottom right
 plot file using 'step':'residual' every :::0::0 with linespoints ls 1 title 'condensed', \
      file using 'step':'residual' every :::1::1 with linespoints ls 2 title 'uncondensed, scaled', \
-     file using 'step':'residual' every :::2::2 with linespoints ls 3 title 'uncondensed, as printed, in mm and N', \
-     file using 'step':'residual' every :::3::3 with linespoints ls 4 title 'uncondensed, as printed, in m and N'
+     file using 'step':'residual' every :::2::2 with linespoints ls 3 title 'uncondensed, unscaled, in mm and N', \
+     file using 'step':'residual' every :::3::3 with linespoints ls 4 title 'uncondensed, unscaled, in m and N'

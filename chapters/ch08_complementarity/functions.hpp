@@ -78,7 +78,6 @@ struct Until {
 /// \param until    when it ends
 /// \param force_scale    what a unit of force counts as [length/force]; 1 takes the numbers as they are
 /// \return all iterates, 60 steps at most
-// [newton]
 inline NewtonRun newton(const ContactProblem& problem, const ComplementarityFunction& phi,
                         Eigen::VectorXd force, const Until& until, double force_scale = 1) {
   NewtonRun run;
@@ -100,6 +99,5 @@ inline NewtonRun newton(const ContactProblem& problem, const ComplementarityFunc
   }
   return run;
 }
-// [newton]
 
 }  // namespace signorini

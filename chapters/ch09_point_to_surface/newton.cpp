@@ -69,7 +69,7 @@ double seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; } 
 // 3. Condensed and uncondensed on the round block.
 void compare(const ProgramOptions& run, Results& results) {
   Table table({"unknowns", "pairs", "closed", "condensed", "condensed, library", "uncondensed",
-               "as printed"});
+               "unscaled"});
   const std::vector<Index> sizes =
       run.full ? std::vector<Index>{16, 24, 40, 80, 132} : std::vector<Index>{16, 24, 40};
   for (const Index n : sizes) {

@@ -99,8 +99,8 @@ Table sketch() {
   return table;
 }
 
-// 4. One edge of length 2 over two of length 1, under a pressure of 1: what reaches the three nodes below, which should be
-//    1/2, 1, 1/2. No points: the two nodes of the edge press.
+// 4. One edge of length 2 over two of length 1, under a pressure of 1: what reaches the three nodes
+//    below, which should be 1/2, 1, 1/2. No points: the two nodes of the edge press.
 std::array<double, 3> reaches(int points) {
   if (points == 0) return {1, 0, 1};
   std::array<double, 3> share = {0, 0, 0};

@@ -1,5 +1,6 @@
 /// \file
-/// The method of section 2.4 of the second paper without friction, with the signs of F^C and of a mended:
+/// The method of section 2.4 of the second paper without friction, with f_n as a pressure
+/// ([one sign](../ch09_point_to_surface/README.md#box-9-1)):
 /// displacements and the pressures of Gauss points together, by Newton's method. The library's own, saddle_point_newton(), has forces
 /// as unknowns, all arguments in one unit, and shorter steps where whole ones fail.
 #pragma once
