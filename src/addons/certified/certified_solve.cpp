@@ -44,6 +44,9 @@ class CertifiedSolve {
   /// Refines a claim and changes pairs while fewer and fewer are wrong. \return whether all signs are right,
   /// or nothing new can be tried
   bool settle(const ContactState& claim);
+  /// The same for a claim without any force, whose closed pairs only touch: where closing them exactly takes forces, which
+  /// are nothing but rounding, none is closed. \return as above
+  bool settle_idle(std::vector<ContactStatus> statuses);
   /// Refines a set, and those that it asks for. \return as above
   bool exchange(std::vector<ContactStatus> statuses, VectorXd force);
   /// Says what the pairs do by what they do: a set whose equations depend on each other, or contradict each
@@ -133,8 +136,21 @@ bool CertifiedSolve::settle(const ContactState& claim) {
     const VectorXd amplitude = moves ? claim.amplitude : VectorXd::Zero(amplitude_.size());
     add_rigid(now_, modes_, amplitude - amplitude_);
     amplitude_ = amplitude;
+    if (force.isZero(0)) return settle_idle(std::move(statuses));
   }
   return exchange(std::move(statuses), std::move(force));
+}
+
+bool CertifiedSolve::settle_idle(std::vector<ContactStatus> statuses) {
+  const PrimalDual start = now_;
+  const VectorXd amplitude = amplitude_;
+  const VectorXd none = VectorXd::Zero(start.force.size());
+  const std::vector<ContactStatus> open = statuses_of({}, problem_.free_gap.size());
+  const bool settled = exchange(std::move(statuses), none);
+  if (end_.certificate.holds() || !seen_.insert(open).second) return settled;
+  now_ = start;
+  amplitude_ = amplitude;
+  return look(open, none).confirmed || settled;
 }
 
 bool CertifiedSolve::exchange(std::vector<ContactStatus> statuses, VectorXd force) {
