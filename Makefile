@@ -6,8 +6,9 @@ ONE_THREAD := OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 MKL_NUM_THREADS=1 BLIS_NU
 MAKEFLAGS += --no-print-directory
 CHAPTERS := $(wildcard chapters/ch[0-9][0-9]_*)
 PROGRAMS := $(sort $(foreach c,$(CHAPTERS),$(if $(wildcard $c/*.cpp),$(firstword $(subst _, ,$(notdir $c))))))
-WOVEN := README.md $(wildcard examples/README.md chapters/notation.md chapters/ch[0-9][0-9]_*/README.md)
-TEXTS := $(WOVEN) chapters/README.md chapters/sheets.md chapters/glossary.md CONTRIBUTING.md CHANGELOG.md $(wildcard chapters/*/exercises/*/README.md docs/instructor.md) docs/teaching.md docs/references.md
+PAGES := $(filter-out docs/instructor.md,$(wildcard docs/*.md))
+WOVEN := README.md $(PAGES) $(wildcard examples/README.md chapters/notation.md chapters/ch[0-9][0-9]_*/README.md)
+TEXTS := $(WOVEN) chapters/README.md chapters/sheets.md chapters/glossary.md CONTRIBUTING.md CHANGELOG.md $(wildcard chapters/*/exercises/*/README.md docs/instructor.md)
 CHAPTER_OF = $(wildcard chapters/$1_*)
 # Exercises: a wrong answer is no failure of make. With --question it runs only lines that begin with +, and tells
 # by its exit status, without a message, whether a command is left: the one that the verdict holds.
