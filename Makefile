@@ -6,8 +6,9 @@ ONE_THREAD := OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 MKL_NUM_THREADS=1 BLIS_NU
 MAKEFLAGS += --no-print-directory
 CHAPTERS := $(wildcard chapters/ch[0-9][0-9]_*)
 PROGRAMS := $(sort $(foreach c,$(CHAPTERS),$(if $(wildcard $c/*.cpp),$(firstword $(subst _, ,$(notdir $c))))))
-WOVEN := README.md $(wildcard examples/README.md chapters/notation.md chapters/ch[0-9][0-9]_*/README.md)
-TEXTS := $(WOVEN) chapters/README.md chapters/sheets.md chapters/glossary.md CONTRIBUTING.md CHANGELOG.md $(wildcard chapters/*/exercises/*/README.md docs/instructor.md) docs/teaching.md docs/references.md
+PAGES := $(filter-out docs/instructor.md,$(wildcard docs/*.md))
+WOVEN := README.md $(PAGES) $(wildcard examples/README.md chapters/notation.md chapters/ch[0-9][0-9]_*/README.md)
+TEXTS := $(WOVEN) chapters/README.md chapters/sheets.md chapters/glossary.md CONTRIBUTING.md CHANGELOG.md $(wildcard chapters/*/exercises/*/README.md docs/instructor.md)
 CHAPTER_OF = $(wildcard chapters/$1_*)
 # Exercises: a wrong answer is no failure of make. With --question it runs only lines that begin with +, and tells
 # by its exit status, without a message, whether a command is left: the one that the verdict holds.
@@ -40,12 +41,12 @@ conformance: configure    ## check every member of every family, or one: make co
 	@cmake --build $B -j $(JOBS) --target test_conformance
 	@$(if $(WHAT),SIGNORINI_CONFORMANCE='$(WHAT)' $B/bin/test_conformance 'every *$(comma)class/*',\
 	    ctest --test-dir $B -j $(JOBS) -L conformance --output-on-failure)
-ch%: configure            ## run one chapter, draw its figures into build/out/ch06, print its headline
+ch%: configure            ## run one chapter, draw its figures into build/out/ch06, say what it found
 	@[ -n "$(filter $@,$(PROGRAMS))" ] || { echo "no chapter $@; there are: $(PROGRAMS)" >&2; exit 2; }
 	@cmake --build $B -j $(JOBS) --target $@
 	@tools/chapter.sh run $B/bin/$@ $B/out/$@
 	@FIGURES=draw tools/chapter.sh figures $(call CHAPTER_OF,$@) $B/out/$@
-	@echo; perl tools/summary.pl $B/out $@
+	@echo; perl tools/findings.pl $B/out $@
 ex%: ex%.checked          ## check your answer to an exercise, chapters/*/exercises/*/attempt.cpp
 	$(shell cat $B/$@.verdict)
 ex%.checked:
@@ -76,6 +77,7 @@ lint:                     ## check what needs no compiling: quotations, formulas
 	@perl tools/course.pl --check
 	@perl tools/sheets.pl --check
 	@perl tools/evenings.pl --check
+	@perl tools/findings.pl --check
 	@perl tools/lint-md.pl $(TEXTS) chapters/equations.md chapters/words.md tests/reference/claims.md
 	@perl tools/claims.pl
 	@tests/faults/run.pl --check

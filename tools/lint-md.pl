@@ -95,6 +95,7 @@ sub check_file {
     complain($file, 1, "the anchor '$_' exists $own->{$_} times") for grep { $own->{$_} > 1 } sort keys %$own;
     complain($file, 1, 'the first line must be the title, "# Title"') if ($line[0] // '') !~ /^# \S/;
     complain($file, scalar @line, 'a chapter has at most 350 lines') if @line > 350 && $file =~ m{^chapters/ch\d\d_[^/]*/README\.md$};
+    complain($file, scalar @line, 'the front door has at most 120 lines, the rest stands in docs/') if @line > 120 && $file eq 'README.md';
     check_folding($file, @line);
     for my $i (0 .. $#line) {
         my ($text, $n) = ($line[$i], $i + 1);

@@ -1,7 +1,8 @@
 #!/usr/bin/env perl
 # summary.pl OUT [chNN ...]: the last lines of a run, one per chapter: its headline number beside the reference value, the processor
-# seconds of the program, or "committed" if it was left out and the number is the committed one, and the first figure.  Reads
-# OUT/chNN/chNN.results, /seconds and /left_out, see tools/chapter.sh; the headline is the line  # headline KEY REFERENCE SOURCE WORDS ...
+# seconds of the program, or "committed" if it was left out and the number is the committed one, and the figure that shows it,
+# which chapters/chNN_topic/findings names, or else the first.  Reads OUT/chNN/chNN.results,
+# /seconds and /left_out, see tools/chapter.sh; the headline is the line  # headline KEY REFERENCE SOURCE WORDS ...
 # A chapter without results or seconds has failed, or has not run: its line says so, and the exit status is 1.
 use strict;
 use warnings;
@@ -13,6 +14,7 @@ defined $out or die "usage: summary.pl OUT [chNN ...]\n";
 my @row = (['chapter', 'headline number', 'reference', 'deviation', 'processor seconds', 'figure']);
 my $failed = 0;
 
+sub all_of { my ($file) = @_; open my $in, '<', $file // '' or return ''; local $/; return scalar <$in> }
 sub first_line { my ($file) = @_; open my $in, '<', $file or return undef; return scalar <$in> }
 
 my @chapters = @only ? @only : map { /(ch\d\d)$/ } grep { -d } glob "$out/ch[0-9][0-9]";
@@ -30,10 +32,11 @@ for my $id (@chapters) {
     my (%value, @headline);
     while (<$in>) {
         if    (/^# headline (\S+) (\S+) ?(.*)/) { push @headline, [$1, $2, $3] }
-        elsif (/^([^#\s]\S*) (\S+) (\S+)/)      { $value{$1} = [$2, $3 eq '-' ? '' : " $3"] }
+        elsif (/^([^#\s]\S*) (\S+) (.+?)( varies)?$/) { $value{$1} = [$2, $3 eq '-' ? '' : " $3"] }
     }
     close $in;
-    my ($figure) = sort { length $a <=> length $b || $a cmp $b } glob "$folder/fig_*.svg";
+    my ($named) = (all_of(glob "chapters/${id}_*/findings") =~ /^figure (\S+)$/m, '');
+    my ($figure) = grep { -f } "$folder/$named.svg", sort { length $a <=> length $b || $a cmp $b } glob "$folder/fig_*.svg";
     my @line = ($id, $seconds, $figure // '');
     for my $h (@headline) {
         my ($key, $reference, $source) = @$h;

@@ -7,7 +7,7 @@
 #   <!-- table NAME.md --> ... <!-- /table -->      results/NAME.md, a table written by the program
 #   <!-- code PATH#block --> ... <!-- /code -->     the lines of PATH between two "// [block]"
 #   <!-- code PATH --> ... <!-- /code -->           all lines of PATH
-#   <!-- nav --> ... <!-- /nav -->                  links to the neighbouring chapters, in the order of the table in README.md
+#   <!-- nav --> ... <!-- /nav -->                  links to the neighbouring chapters, in the order of the table in chapters/README.md
 # What stands in a fence or between back quotes is left alone.  With --check nothing is written; what is
 # stale is listed and the exit status is 1.
 use strict;
@@ -32,7 +32,7 @@ my %values;    # chapter folder -> { key -> [value, unit, varies] }
 sub value {
     my ($dir, $key, $format) = @_;
     if ($key =~ /^(ch\d\d)\.(.+)/) {
-        ($dir) = grep { -d } map { glob "$_/$1_*" } "$dir/chapters", $dir, "$dir/..", "$dir/../../..";
+        ($dir) = grep { -d } map { glob "$_/$1_*" } "$dir/chapters", $dir, "$dir/..", "$dir/../chapters", "$dir/../../..";
         return (undef, "no chapter '$1'") if !defined $dir;
         $key = $2;
     }
@@ -67,10 +67,10 @@ sub block {    # the lines of a source between two marks, without their common i
     return $code;
 }
 
-sub in_order {    # folders of chapters as README.md lists them, then those that it does not list
+sub in_order {    # folders of chapters as chapters/README.md lists them, then those that it does not list
     my ($chapters, @folders) = @_;
-    my ($readme, %place) = slurp("$chapters/../README.md") // '';
-    $place{$1} //= keys %place while $readme =~ m{\(chapters/(ch\d\d_[^/)]*)/README\.md\)}g;
+    my ($readme, %place) = slurp("$chapters/README.md") // '';
+    $place{$1} //= keys %place while $readme =~ m{\((ch\d\d_[^/)]*)/README\.md\)}g;
     my $of = sub { $place{ basename $_[0] } // 1000 };
     return sort { $of->($a) <=> $of->($b) || $a cmp $b } @folders;
 }
@@ -83,7 +83,7 @@ sub navigation {
     my $link = sub { my ($d, $l, $r) = @_; '[' . $l . title($d) . $r . "]($up" . basename($d) . '/README.md)' };
     my @link;
     push @link, $link->($all[$i - 1], '← ', '') if $i > 0;
-    push @link, "[Contents]($up../README.md)";
+    push @link, "[Contents](${up}README.md)";
     push @link, $link->($all[$i + 1], '', ' →') if $i < $#all;
     return join ' · ', @link;
 }

@@ -22,14 +22,14 @@ from shelf import Book
 from tex import FormulaError, formula
 
 TEXTS = {
-    "docs/parts": "part First: 0-3\npart Later: 4-99\npaper A Smith1990: 1-2\npaper B Jones2000: 3\nuse README.md: What\n"
+    "docs/parts": "part First: 0-3\npart Later: 4-99\npaper A Smith1990: 1-2\npaper B Jones2000: 3\nuse README.md: What\nuse chapters/README.md: Ways\n"
                   "use chapters/glossary.md: Glossary\nuse docs/references.md: References\n",
     "docs/rooms": "# rooms\npress 700 900\n",
     "docs/page.css": "", "docs/page.js": "", "docs/peek.js": "", "docs/find.js": "", "docs/live.js": "", "docs/live.css": "", "docs/fonts/README": "",
     "docs/references.md": '# References\n\n<a id="Smith1990"></a>\nSmith J., On contact, 1990.\n\n'
                           '<a id="Jones2000"></a>\nJones K., More, 2000.\n',
-    "README.md": "# Book\n\nA book on contact.\n\n| chapter | shows |\n|:--|:--|\n"
-                 "| [1 One](chapters/ch01_one/README.md) | how it begins |\n",
+    "README.md": "# Book\n\nA book on contact.\n",
+    "chapters/README.md": "# Ways\n\n| chapter | shows |\n|:--|:--|\n| [1 One](ch01_one/README.md) | how it begins |\n",
     "chapters/glossary.md": "# Glossary\n\n| word | Chinese | meaning |\n|:--|:--|:--|\n| active set | x | pairs that are closed |\n",
     "chapters/ch01_one/README.md": "# 1 One\n\n**What you will learn.** Something.\n\n## The gap\n\nThe active set has a gap $g$, and\n\n"
                                    '<a id="eq-1"></a>\n\n```math\ng = 0 \\tag{1}\n```\n\n'

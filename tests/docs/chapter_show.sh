@@ -97,6 +97,71 @@ summary 1 out ch01 ch02 ch03
 said_line '^ch02 .*| failed '
 said_line '^ch03 .*| failed '
 
+# What a chapter found, in words: fresh numbers with their units, the headline first, and the picture that shows it.
+cat > chapters/ch01_toy/README.md << 'END'
+# 1 A toy
+
+![Figure 1.2: how the tip moves](../../figures/fig_1_2.svg)
+END
+cat > chapters/ch01_toy/findings << 'END'
+# a comment
+figure fig_1_2
+The tip moves by {tip %.2f}, by hand {reference %.0f}: {deviation}.
+Once more {tip}.
+That is all.
+END
+cp chapters/ch01_toy/findings chapters/ch02_bare/findings
+echo '# 2 Bare' > chapters/ch02_bare/README.md
+: > figures/fig_1_2.svg
+: > figures/fig_1_1.svg
+findings() { # status, arguments
+    wanted=$1
+    shift
+    said=$(perl "$tools/findings.pl" "$@" 2>&1)
+    status=$?
+    [ $status -eq "$wanted" ] || fault "findings.pl $*: status $status instead of $wanted: $said"
+}
+sed -i 's/tip 2 mm exact/tip 2.5 mm/' bin/ch01
+show 0 ch01 ch01_toy "$all" hello 0
+findings 0 out ch01
+said_line '^Chapter 1: A toy$'
+said_line '^  The tip moves by 2.50 mm, by hand 2 mm: +25 %.$'
+said_line '^  Once more 2.5 mm.$'
+said_line '^Open first: figures/fig_1_2.svg$'
+said_line '^  Figure 1.2: how the tip moves$'
+: > out/ch01/fig_1_1.svg
+: > out/ch01/fig_1_2.svg
+findings 0 out ch01
+said_line '^Open first: out/ch01/fig_1_2.svg$'
+summary 0 out ch01
+said_line '| out/ch01/fig_1_2.svg$'
+rm out/ch01/*.results
+findings 1 out ch01
+said_line '^ch01 has failed'
+rm -r chapters/ch02_bare
+sed -i '/^tip/d; /^# headline/d' chapters/ch01_toy/results/ch01.results
+printf 'tip 2 mm exact\n# headline tip 2 by hand\nlost 1 s varies\n' >> chapters/ch01_toy/results/ch01.results
+findings 0 --check
+spoil() { # what, sed script, file, what is said
+    cp "$3" kept
+    sed -i "$2" "$3"
+    findings 1 --check
+    printf '%s\n' "$said" | grep -qF -e "$4" || fault "$1: expected '$4', got: $said"
+    mv kept "$3"
+}
+words=chapters/ch01_toy/findings
+spoil "no picture" '/^figure/d' $words 'names no picture'
+spoil "a picture that is not there" 's/fig_1_2$/fig_1_9/' $words 'there is no picture figures/fig_1_9.svg'
+spoil "a picture that the text does not show" 's/fig_1_2$/fig_1_1/' $words 'does not show fig_1_1.svg'
+spoil "a sentence without the headline" 's/{tip %.2f}/2.50 mm/' $words 'does not have the headline, {tip}'
+spoil "a value that is not there" 's/{tip}/{top}/' $words "no value 'top'"
+spoil "a value that varies" 's/{tip}/{lost}/' $words "'lost' varies"
+spoil "a format that is none" 's/%.2f/%.2s/' $words "'%.2s' is no format"
+spoil "a value that is not closed" 's/{tip}/{tip/' $words 'is not closed'
+spoil "too few sentences" '$d' $words 'three to six'
+spoil "no full stop" '$s/\.$//' $words 'is no sentence'
+spoil "a reference of zero" 's/headline tip 2 /headline tip 0 /' chapters/ch01_toy/results/ch01.results 'no deviation from zero'
+
 # The file that is compiled: every include comes once and first, and what takes long says what it writes.
 batch="perl $tools/batch.pl"
 $batch deep/er/ch01.cpp --main ch01 chapters/ch01_toy/toy.cpp chapters/ch01_toy/slow.cpp || fault "batch.pl makes no folder"

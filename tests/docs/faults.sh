@@ -76,6 +76,7 @@ END
 printf 'paper\n从任意一点\n开始, \357\201\263 n\357\200\255  ≥ 0\n' > paper_1.txt # with sigma and minus of the font Symbol
 : > paper_2.txt
 printf '# Title\n\n[Demonstration](chapters/ch03_demo/README.md)\n' > README.md
+printf '# Chapters\n\n[Demonstration](ch03_demo/README.md)\n' > chapters/README.md
 
 expect() { # yes or no, what, command
     wanted=$1 what=$2
@@ -143,6 +144,7 @@ broken no "a quotation that is not closed" "weave --check" '/\/table/d' $text
 broken no "a title that changed" "weave --check" '/^\[Contents/d' $text
 
 broken no "a dead link" lint 's/ch03_demo/ch04_demo/' README.md
+broken no "a front door that is too long" lint 's/^# Title/&'"$(printf '\\n%.0s' $(seq 120))/" README.md
 broken no "a dead anchor" lint 's/(#eq-3)/(#eq-4)/' $text
 broken no "a number beside its anchor" lint 's/tag{3}/tag{4}/' $text
 broken no "a formula that Markdown damages" lint 's/`x_1^\*`/x_1^*/' $text

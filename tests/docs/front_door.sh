@@ -26,6 +26,7 @@ printf '%s\n' "$run" | awk '/--target run_ch00/ { shown = 1 } /--target run_chap
 # What is left out is said by make and make test, and not by what is called often.
 for target in all test; do make -n $target 2>&1 | grep -q log-level=NOTICE || { echo "make $target does not say what is left out"; bad=1; }; done
 make -n ch06 2>&1 | grep -q log-level=WARNING || { echo "make ch06 says what is left out"; bad=1; }
+make -n ch06 2>&1 | tail -n 1 | grep -q "findings.pl build/out ch06" || { echo "make ch06 does not end with what the chapter found"; bad=1; }
 # An exercise ends with a verdict and a status, without what make has to say about a command that fails.
 scratch=$(mktemp -d)
 said=$(make ex99.9 B="$scratch" 2>&1) && { echo "make ex99.9 succeeds"; bad=1; }

@@ -8,7 +8,7 @@ use File::Glob ':bsd_glob';
 
 my ($root) = @ARGV;
 chdir $root or die "named.pl: no folder $root\n";
-my @guides = ('README.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'chapters/README.md', grep { -f } 'docs/instructor.md');
+my @guides = ('README.md', 'CONTRIBUTING.md', 'CHANGELOG.md', 'chapters/README.md', glob 'docs/*.md');
 my %text;    # file -> what it is taken to say
 
 sub slurp {
@@ -115,6 +115,8 @@ fault('CHANGELOG.md', qr/signorini plan/, 'signorini plot', 'no command plot');
 fault('chapters/README.md', qr/--accuracy/, '--exactness', 'no option --exactness');
 fault('chapters/README.md', qr/make ex10\.2/, 'make ex10.9', 'no target ex10.9');
 fault('README.md', qr/make ch06/, 'make ch60', 'no target ch60');
+fault('docs/commands.md', qr/setup\.sh build/, 'setup.sh bild', 'no group bild');
+fault('docs/program.md', qr/signorini plan/, 'signorini pan', 'no command pan');
 fault('docs/instructor.md', qr/^\| 4\.2 \| \w+/m, '| 4.2 | sleep', 'its kind is complete') if -f 'docs/instructor.md';
 fault('CITATION.cff', qr/^version: .*/m, 'version: 9.9.9', 'has not the version');
 fault('Containerfile', qr/^RUN .*test$/m, 'RUN make test', 'Containerfile runs');

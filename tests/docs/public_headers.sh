@@ -1,5 +1,5 @@
 #!/bin/sh
-# public_headers.sh ROOT FOLDER: chapters, exercises, live figures, examples and README.md include those headers of the library that
+# public_headers.sh ROOT FOLDER: chapters, exercises, live figures, examples, README.md and docs/ include those headers of the library that
 # src/public lists, and so do these headers themselves; each of the others says in its first line that it is internal. Then plants
 # faults in a copy of the library in FOLDER, to see that they are found.
 set -u
@@ -11,7 +11,7 @@ check() ( # the project in $1; a line per fault
     folders=$(sed -n '/^still /d; s|^\([a-z][a-z_/]*\):.*|src/\1|p' src/plan)
     reference=no # a hand-out has no reference solutions, and includes fewer headers
     [ -z "$(find chapters -name solution.cpp)" ] || reference=yes
-    { find $folders -name '*.hpp'; find chapters examples -name '*.[ch]pp'; echo README.md; } | LC_ALL=C sort |
+    { find $folders -name '*.hpp'; find chapters examples -name '*.[ch]pp'; ls README.md docs/*.md; } | LC_ALL=C sort |
         LC_ALL=C xargs -x -n 9999 awk -v reference="$reference" -v internal="$internal" '
         function fault(where, what) { print where ": " what; bad = 1 }
         function include(header) { included[++n] = header; by[n] = FILENAME; line[n] = FNR }
@@ -42,7 +42,7 @@ check() ( # the project in $1; a line per fault
             include(header)
             next
         }
-        FILENAME == "README.md" { # `addons/files/gmsh.hpp`
+        FILENAME ~ /\.md$/ { # `addons/files/gmsh.hpp`
             for (rest = $0; match(rest, /`[a-z_0-9\/]+\.hpp`/); rest = substr(rest, RSTART + RLENGTH))
                 include(substr(rest, RSTART + 1, RLENGTH - 2))
         }
@@ -76,7 +76,7 @@ failures=0
 rm -rf "$copy"
 mkdir -p "$copy"
 (cd "$root" && find src chapters examples -name '*.[ch]pp' -o -path src/plan -o -path src/public) > "$copy.files"
-(cd "$root" && tar cf - -T "$copy.files" README.md) | tar xf - -C "$copy"
+(cd "$root" && tar cf - -T "$copy.files" README.md docs/library.md) | tar xf - -C "$copy"
 expect() { # accepted or what the message begins with, and what it says later
     if said=$(check "$copy"); then got=accepted; else got=$said; fi
     case $got in
@@ -107,7 +107,7 @@ for file in $program $exercise $figure examples/hundred_loads/hundred_loads.cpp;
     plant "$file" "#include <$internal_one>" "$file:1: $internal_one is internal" 'src/public that gives the same'
 done
 plant README.md "#include \"$internal_one\"" "README.md:1: $internal_one is internal"
-plant README.md "It is read by \`$internal_one\`." "README.md:1: $internal_one is internal"
+plant docs/library.md "It is read by \`$internal_one\`." "docs/library.md:1: $internal_one is internal"
 plant "src/$public" "#include \"$internal_one\"" "src/$public:1: $internal_one is internal" 'declare here'
 plant "$program" "#include \"../../src/$public\"" "$program:1: write"
 plant "$program" '#include "command_line/print.hpp"' "$program:1: command_line/print.hpp is of a program"

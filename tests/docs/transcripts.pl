@@ -1,8 +1,9 @@
 #!/usr/bin/env perl
-# transcripts.pl PROGRAM TRANSCRIPTS FOLDER [--update]: what the program `signorini` prints and writes, word for word and number for number.
+# transcripts.pl PROGRAM TRANSCRIPTS FOLDER ROOT [--update]: what the program `signorini` prints and writes, word for word and number for number.
 # A transcript in TRANSCRIPTS has commands, each behind "$ ", and below each what it prints: `signorini ...`, whose files
 # are copied from beside the transcripts, and `cat FILE` for what it wrote into FOLDER.  Numbers may differ by 1e-6 of themselves, or by rounding of those of their line.
 # Seconds, bytes, certificates and forecasts, which differ from machine to machine, are left out: printed.pl looks at them.
+# README.md in ROOT quotes some lines of an answer, below its command: each is printed, in this order.
 # A picture is the script that gnuplot gets.  With --update transcripts get what is printed now: read the difference before you commit it.
 use strict;
 use warnings;
@@ -10,7 +11,8 @@ use File::Copy 'copy';
 use File::Path qw(make_path remove_tree);
 use Cwd 'abs_path';
 
-my ($program, $transcripts, $folder, $update) = @ARGV;
+my ($program, $transcripts, $folder, $root, $update) = @ARGV;
+$root = abs_path($root);
 remove_tree($folder);
 make_path("$folder/programs");
 $transcripts = abs_path($transcripts);
@@ -84,5 +86,20 @@ for my $file (glob("$transcripts/*.txt")) {
         }
     }
     put($file, $new) if $update;
+}
+
+# The answers of README.md: its files are given as from ROOT.
+my @quoted = content("$root/README.md") =~ /^```sh\nbuild\/bin\/signorini ([^\n]*)\n```\n\n```text\n(.*?)^```/msg;
+print "README.md quotes no answer\n" and ++$failures if !@quoted;
+chdir $root or die "transcripts.pl: $root: $!\n";
+while (my ($command, $lines) = splice @quoted, 0, 2) {
+    my @got = split /\n/, answer("signorini $command");
+    for my $wanted (grep { /\S/ } split /\n/, $lines) {
+        shift @got while @got && !alike($got[0], $wanted);
+        next if @got;
+        print "README.md: signorini $command does not print '$wanted'\n";
+        ++$failures;
+        last;
+    }
 }
 exit($failures == 0 ? 0 : 1);

@@ -84,7 +84,7 @@ if ($paper) {
 
 my $bad = 0;
 for my $file (sort glob('chapters/ch[0-9][0-9]_*/README.md'), glob('chapters/ch*/exercises/*/README.md'), 'chapters/README.md', 'chapters/notation.md',
-    'README.md') {
+    'README.md', grep { !/(?:instructor|references|teaching)\.md$/ } glob 'docs/*.md') {
     my @fault;
     my $text = slurp($file);
     in_words($text, sub {

@@ -2,6 +2,7 @@
 import html
 import re
 
+from inline import Inline
 from references import templates
 from tex import escaped
 
@@ -119,12 +120,12 @@ def write_text(book, page, text):
     write(book, page, title, head + body + turn(book, page), text)
 
 
-def shown_by(book, text, name):
-    """What a chapter shows, from its line in README.md, or the first sentence of the chapter."""
-    link = re.escape("](%s)" % book.path[name])
-    m = re.search(r"^\|.*?%s.*\| (.*?) \|$" % link, book.text.get("use", ""), re.M)
+def shown_by(book, name):
+    """What a chapter shows, from its line in chapters/README.md, or the first sentence of the chapter."""
+    link = re.escape("](%s)" % book.path[name].removeprefix("chapters/"))
+    m = re.search(r"^\|.*?%s.*\| (.*?) \|$" % link, book.text.get("ways", ""), re.M)
     told = re.search(r"^\*\*What you will learn\.?\*\* (.*?[.;:])(?= |$)", re.sub(r"(?<!\n)\n(?!\n)", " ", book.text[name]), re.M)
-    return text.inline.html(m[1] if m else told[1] if told else "", False)
+    return Inline(book, "ways" if m else name).html(m[1] if m else told[1] if told else "", False)
 
 
 def write_cover(book, text):
@@ -140,7 +141,7 @@ def write_cover(book, text):
         for name in (n for n in book.chapters if book.part_of(n) == title):
             number, words = numbered(book.title[name])
             rows += '<li><a href="%s.html"><i>%s</i><b>%s</b></a><span>%s</span></li>' % (
-                name, number, escaped(words), shown_by(book, text, name))
+                name, number, escaped(words), shown_by(book, name))
         body += '<section class="part"><h2>%s</h2><ol>%s</ol></section>' % (escaped(title), rows) if rows else ""
     rows = "".join('<li><a href="%s.html"><i>%s</i><b>%s</b></a><span>%s</span></li>' % (
         name, *numbered(words_of_evening(book, name)), text.html(" ".join(book.text[name].split("\n\n")[1].split()), False))
