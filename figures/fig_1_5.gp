@@ -25,7 +25,7 @@ set bmargin at screen 0.13
 set border 11 back ls 100
 set xtics 10 nomirror out scale 0.6
 set xlabel 'position {/:Italic x} [mm]'
-set ylabel 'pressure [N/mm²]'
+set ylabel 'pressure [N/mm²]' offset 1.8,0
 set y2label 'gap [mm]'
 set yrange [0:1.2]
 set y2range [0:3]
