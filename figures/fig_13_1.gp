@@ -1,4 +1,5 @@
-# Figure 13.1 - right half of footing and soil: sketch and mesh.   In: fig_13_1.csv, fig_13_1_footing.csv   Out: fig_13_1.svg
+# Figure 13.1 - right half of footing and soil: sketch, and the loaded mesh with the contact pressure on the soil.
+# In: fig_13_1.csv, fig_13_1_footing.csv, fig_13_1_arrows.csv   Out: fig_13_1.svg
 width = 640; height = 360
 load 'style.gp'
 set size ratio -1
@@ -27,6 +28,10 @@ plot NaN notitle
 unset object; unset arrow; unset label
 set lmargin at screen 0.51
 set rmargin at screen 0.98
-plot data.'/fig_13_1.csv' using 'x':'y' with lines lc rgb BLACK lw 0.6 dt 1, \
-     data.'/fig_13_1_footing.csv' using 'x':'y' with lines lc rgb BLUE lw 0.8 dt 1
+set xrange [-0.4:6.4]
+set yrange [-4.6:3.6]
+set arrow from 0,-4.6 to 0,3.6 nohead back lc rgb GREY lw 1 dt (12,3,2,3)
+set label 1 'pressure,' at 1.75,2.3 left front textcolor rgb RED
+set label 2 'largest at the edge' at 1.75,1.7 left front textcolor rgb RED
+eval 'plot '.body(data.'/fig_13_1.csv', 1).', '.body(data.'/fig_13_1_footing.csv', 1).', '.pressing(data.'/fig_13_1_arrows.csv', 0.045, 1)
 unset multiplot

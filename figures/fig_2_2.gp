@@ -36,7 +36,7 @@ set object 1 polygon from 0,0 to 1,0 to 0.5,0.8660254 to 0,0 fillstyle empty bor
 set object 2 rectangle from 0.66,0.13 to 0.84,0.26 fillstyle empty border lc rgb BLACK lw 1 dt 1
 set key at screen 0.98,0.99 maxrows 2
 plot $lines using 1:2 with lines ls 8 dt 1 title 'lines of equal {/:Italic s}', \
-     $lines using 1:2:(sprintf('%g',$3)) every 1000::12 with labels textcolor rgb BLACK notitle, \
+     $lines using ($2 < 0.8 ? $1 : NaN):2:(sprintf('%g',$3)) every 1000::12 with labels textcolor rgb BLACK @HALO notitle, \
      $path using 1:2 with linespoints ls 2 title 'line search', \
      $path using 1:2 every ::0::0 with points pt 6 ps 1.6 lw 2 lc rgb BLACK title 'start: each a third', \
      $best using 1:2 with points pt 3 ps 1.8 lw 2 lc rgb BLUE title 'forces over their sum'
@@ -48,7 +48,7 @@ set xrange [0.66:0.84]
 set yrange [0.13:0.26]
 set border 15 back ls 100
 plot $near using 1:2 with lines ls 8 dt 1 notitle, \
-     $near using ($1 < 0.83 ? $1 : NaN):2:(sprintf('%g',$3)) every 1000::50 with labels textcolor rgb BLACK notitle, \
+     $near using ($1 < 0.83 ? $1 : NaN):2:(sprintf('%g',$3)) every 1000::50 with labels textcolor rgb BLACK @HALO notitle, \
      $path using 1:2 with linespoints ls 2 ps 1 notitle, \
      $best using 1:2 with points pt 3 ps 2.2 lw 2 lc rgb BLUE notitle
 unset multiplot

@@ -1,49 +1,52 @@
-# Figure 4.1 - the flow chart of the method with the counts of three runs.   In: fig_4_1.csv   Out: fig_4_1.svg
-width = 600; height = 470
+# Figure 4.1 - the flow chart of the method, and how often three runs took its ways.   In: fig_4_1.csv   Out: fig_4_1.svg
+width = 640; height = 560
 load 'style.gp'
-unset border; unset tics; unset grid
-set lmargin 1; set rmargin 1; set tmargin 1; set bmargin 1
-set xrange [0:100]; set yrange [4:100]
-set key at 99,10 right bottom Left reverse samplen 2.5
-
-# arrows in the order of the lines of the table: where from, how far, where their counts stand
-array X[6] = [22, 43, 59, 22, 22, 43]
-array Y[6] = [90, 78, 69, 64, 35, 44]
-array DX[6] = [0, 16, -16, 0, 0, 16]
-array DY[6] = [-7, 0, 0, -11.5, -12.5, 0]
-array LX[6] = [24, 51, 51, 24, 24, 51]
-array LY[6] = [86.5, 81.5, 65.5, 58.5, 29, 47.5]
-array SAYS[6] = ['', '', '', 'no:  ', 'no:  ', '']
-array BEFORE[6] = ['', 'yes', '', '', '', 'yes']
-n(i) = int(i)
-who(w, r, b) = w > 0 && b > 0 ? 1 : (w > 0 ? 2 : 3)
-text(i, w, r, b) = SAYS[n(i)].sprintf('%d | %d | %d', w, r, b)
-set style arrow 1 nohead lc rgb BLACK lw 2.5 dt 1
-set style arrow 2 nohead lc rgb RED lw 2.5 dt (8,4)
-set style arrow 3 nohead lc rgb BLUE lw 2.5 dt (2,3)
-set style arrow 4 head filled size graph 0.018,22 lc rgb BLACK lw 2.5 dt 1
-set style arrow 5 head filled size graph 0.018,22 lc rgb RED lw 2.5 dt 1
-set style arrow 6 head filled size graph 0.018,22 lc rgb BLUE lw 2.5 dt 1
-
+unset border; unset tics; unset grid; unset key
+set lmargin 0; set rmargin 0; set tmargin 0; set bmargin 0
+set xrange [0:100]; set yrange [0:100]
 set style rectangle fc rgb '#ffffff' fs solid 1.0 border lc rgb BLACK
-set object 1 rectangle center 22,94 size 42,7.5 fc rgb LIGHT
-set object 2 rectangle center 22,73.5 size 42,18
-set object 3 rectangle center 79.5,73.5 size 41,18 fc rgb LIGHT
-set object 4 rectangle center 22,44 size 42,17
-set object 5 rectangle center 79.5,44 size 41,17 fc rgb LIGHT
-set object 6 rectangle center 22,16.5 size 42,12 fc rgb LIGHT
-set label 1 '{/:Italic u}^0 = {/:Italic K}^{–1}{/:Italic p}   (20)' at 22,94 center
-set label 2 "VIO: all violated pairs\nis there one?" at 22,75.5 center
-set label 3 "QAS among them   (37)\ntheir forces   (38), (39)\nminimum moved   (36)" at 79.5,78.2 center
-set label 4 "tight pairs alone,\nfirst energy   (33)\nis another one violated?" at 22,48.7 center
-set label 5 "back to the first pair\nin the way   (34), (35)\noptimal or not" at 79.5,48.7 center
-set label 6 "{/:Italic u}^{/:Italic k+1} is optimal" at 22,16.5 center
-set label 7 'four walls | three rows | block' at 79.5,31.5 center
-do for [i = 2:6:4] { set label 10+i BEFORE[i] at LX[i],LY[i]+4.2 center }
-plot data.'/fig_4_1.csv' using (X[n(column('arrow'))]):(Y[n(column('arrow'))]):(0.75*DX[n(column('arrow'))]):(0.75*DY[n(column('arrow'))]):(who(column('walls'), column('rows'), column('block'))) with vectors arrowstyle variable notitle, \
-     '' using (X[n(column('arrow'))]+0.75*DX[n(column('arrow'))]):(Y[n(column('arrow'))]+0.75*DY[n(column('arrow'))]):(0.25*DX[n(column('arrow'))]):(0.25*DY[n(column('arrow'))]):(3+who(column('walls'), column('rows'), column('block'))) with vectors arrowstyle variable notitle, \
-     '' using (LX[n(column('arrow'))]):(DX[n(column('arrow'))] == 0 ? LY[n(column('arrow'))] : NaN):(text(column('arrow'), column('walls'), column('rows'), column('block'))) with labels left notitle, \
-     '' using (LX[n(column('arrow'))]):(DX[n(column('arrow'))] == 0 ? NaN : LY[n(column('arrow'))]):(text(column('arrow'), column('walls'), column('rows'), column('block'))) with labels center notitle, \
-     NaN with lines lc rgb BLACK lw 2.5 dt 1 title 'all three runs', \
-     NaN with lines lc rgb RED lw 2.5 dt (8,4) title 'four walls, three rows', \
-     NaN with lines lc rgb BLUE lw 2.5 dt (2,3) title 'block of chapter 1'
+set style arrow 1 head filled size 2,20 lc rgb BLACK lw 2 dt 1
+set style arrow 2 nohead lc rgb BLACK lw 2 dt 1
+set style arrow 3 nohead lc rgb GREY lw 1 dt 1
+
+set object 1 rectangle center 24,95 size 40,7 fc rgb LIGHT
+set label 1 '{/:Italic u}^0 = {/:Italic K}^{–1}{/:Italic p}   (20)' at 24,95 center
+set arrow 1 from 24,91.5 to 24,83.5 as 1
+set object 2 rectangle center 24,77 size 40,13
+set label 2 "VIO: all violated pairs\nis there one?" at 24,79 center
+set arrow 2 from 44,77 to 56,77 as 1
+set label 3 'yes' at 50,79.3 center
+set object 3 rectangle center 77,77 size 42,17 fc rgb LIGHT
+set label 4 "QAS among them   (37)\ntheir forces   (38), (39)\nminimum moved   (36)" at 77,81.4 center
+set arrow 3 from 77,85.5 to 77,95 as 2
+set arrow 4 from 77,95 to 50,95 as 2
+set arrow 5 from 50,95 to 50,87.5 as 2
+set arrow 6 from 50,87.5 to 24,87.5 as 1
+set label 5 '{/:Bold A}' at 79.5,92 center textcolor rgb RED
+set arrow 7 from 24,70.5 to 24,60.5 as 1
+set label 6 'no' at 26,65.5 left
+set object 4 rectangle center 24,52 size 40,17
+set label 7 "tight pairs alone,\nfirst energy   (33)\nis another one violated?" at 24,56.4 center
+set arrow 8 from 44,52 to 56,52 as 1
+set label 8 'yes' at 50,54.3 center
+set label 9 '{/:Bold C}' at 50,49.3 center textcolor rgb RED
+set object 5 rectangle center 77,52 size 42,17 fc rgb LIGHT
+set label 10 "back to the first pair\nin the way   (34), (35):\noptimal or not" at 77,56.4 center
+set arrow 9 from 24,43.5 to 24,35 as 1
+set label 11 'no' at 26,39.3 left
+set label 12 '{/:Bold B}' at 20.5,39.3 center textcolor rgb RED
+set object 6 rectangle center 24,31.5 size 40,7 fc rgb LIGHT
+set label 13 '{/:Italic u}^{/:Italic k+1} is optimal' at 24,31.5 center
+
+set label 20 'how often' at 3,22 left
+set label 21 'four walls' at 58,22 right
+set label 22 'three rows' at 77,22 right
+set label 23 'block' at 96,22 right
+set arrow 20 from 3,19 to 97,19 as 3
+# arrows: 1 from the start, 2 to QAS, 3 back from it, 4 down to (33), 5 to the end, 6 to the first pair in the way
+row(arrow) = arrow == 2 ? 15 : (arrow == 5 ? 9 : (arrow == 6 ? 3 : NaN))
+says(arrow) = arrow == 2 ? '{/:Bold A}  round the loop' : (arrow == 5 ? '{/:Bold B}  optimal at once' : '{/:Bold C}  back to a pair')
+plot data.'/fig_4_1.csv' using (3):(row(column('arrow'))):(says(column('arrow'))) with labels left, \
+     '' using (58):(row(column('arrow'))):(sprintf('%d', column('walls'))) with labels right, \
+     '' using (77):(row(column('arrow'))):(sprintf('%d', column('rows'))) with labels right, \
+     '' using (96):(row(column('arrow'))):(sprintf('%d', column('block'))) with labels right

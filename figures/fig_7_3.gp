@@ -1,4 +1,4 @@
-# Figure 7.3 - the deformed plate and the pin, both readings.   In: fig_7_3_*.csv   Out: fig_7_3.svg
+# Figure 7.3 - the deformed plate, the pin and its pressure, both readings.   In: fig_7_3_*.csv   Out: fig_7_3.svg
 width = 480; height = 680
 load 'style.gp'
 set size ratio -1
@@ -22,13 +22,13 @@ set title '(T) the load pulls' offset 0,-0.6
 set tmargin at screen 0.95
 set bmargin at screen 0.63
 set object 1 circle at -0.2,0 size 4.8 arc [0:180] fc rgb LIGHT fs solid border lc rgb BLACK behind
-set label 1 'pin' at -0.2,2 center front
+set label 1 'pin' at 1.8,1.2 center front
 set label 2 '+' at 0,6.2 center front font ',22'
 set label 3 '−' at -6.3,1.4 center front font ',22' textcolor rgb 'white'
-plot data.'/fig_7_3_t.csv' using 'x':'y':'value' with polygons fs solid noborder fc palette, \
+eval "plot data.'/fig_7_3_t.csv' using 'x':'y':'value' with polygons fs solid noborder fc palette, \
      '' using 'x':'y' with lines lc rgb '#60ffffff' lw 0.3 dt 1, \
      data.'/fig_7_3_t_zero.csv' using 'x':'y' with lines lc rgb 'white' lw 3 dt 1, \
-     '' using 'x':'y' with lines lc rgb BLACK lw 1.5 dt 1
+     '' using 'x':'y' with lines lc rgb BLACK lw 1.5 dt 1, ".pressing(data.'/fig_7_3_t_arrows.csv', 0.035, 1)
 
 set title '(C) the load presses'
 set tmargin at screen 0.54
@@ -36,11 +36,11 @@ set bmargin at screen 0.235
 set xlabel '{/:Italic x} [cm]' offset 0,0.5
 unset colorbox
 set object 1 circle at 0.2,0 size 4.8 arc [0:180] fc rgb LIGHT fs solid border lc rgb BLACK behind
-set label 1 'pin' at 0.2,2 center front
+set label 1 'pin' at -1.8,1.2 center front
 set label 2 at -7,4.6
 set label 3 at 6.5,1.4
-plot data.'/fig_7_3_c.csv' using 'x':'y':'value' with polygons fs solid noborder fc palette, \
+eval "plot data.'/fig_7_3_c.csv' using 'x':'y':'value' with polygons fs solid noborder fc palette, \
      '' using 'x':'y' with lines lc rgb '#60ffffff' lw 0.3 dt 1, \
      data.'/fig_7_3_c_zero.csv' using 'x':'y' with lines lc rgb 'white' lw 3 dt 1, \
-     '' using 'x':'y' with lines lc rgb BLACK lw 1.5 dt 1
+     '' using 'x':'y' with lines lc rgb BLACK lw 1.5 dt 1, ".pressing(data.'/fig_7_3_c_arrows.csv', 0.035, 1)
 unset multiplot

@@ -31,7 +31,7 @@ set label 1 'kink' at -0.12,-0.25 right front textcolor rgb RED
 set label 3 '' at 0,0 point pt 7 ps 1.3 lc rgb RED front
 set label 2 'zero' at 1.2,0.17 front textcolor rgb BLUE
 plot $fb using 1:2 with lines ls 8 dt 1 lw 1.2, \
-     $fb using 1:2:(sprintf('%g',$3)) every 1000::9 with labels textcolor rgb BLACK
+     $fb using 1:2:(sprintf('%g',$3)) every 1000::9 with labels textcolor rgb BLACK @HALO
 set title 'minimum (minus it)'
 set label 1 'kinks' at -0.75,-1.05 left
 unset label 3
@@ -41,7 +41,7 @@ do for [i=1:5] {
   m = -level[i]
   set arrow 10+2*i from m,m to m,2 nohead ls 8 dt 1 lw 1.2
   set arrow 11+2*i from m,m to 2,m nohead ls 8 dt 1 lw 1.2
-  set label 10+i sprintf('%g', level[i]) at 1.4,m center textcolor rgb BLACK
+  set label 10+i sprintf('%g', level[i]) at 1.4,m center front textcolor rgb BLACK @HALO
 }
 plot NaN
 unset multiplot

@@ -1,10 +1,11 @@
 // Chapter 1 - The unilateral contact problem (Xuan & Li 2002, sec. 1): a block on an obstacle.
 // Run:  make ch01     Reads: nothing     Writes: ch01.results, fig_1_1.csv, fig_1_1_obstacle.csv,
-//      fig_1_1_nodes.csv, fig_1_5.csv, fig_1_5_obstacle.csv, ch01.vtu
+//      fig_1_1_nodes.csv, fig_1_5.csv, fig_1_5_*.csv, ch01.vtu
 // --full: the mesh of 640 x 320 cells that the headline is compared with.
 #include <cmath>
 
 #include "block_on_obstacle.hpp"
+#include "papers/field_csv.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/pressure_table.hpp"
 #include "signorini/report/program.hpp"
@@ -52,16 +53,26 @@ double half_width(const SolvedScene& block) {
   return x1 + p1 / (p2 - p1) * (x1 - block.model.pairs.position(last - 1, 0));
 }
 
-// 2. Gap and pressure along the base, for figure 1.5, and what the text quotes of them.
+// 2. The block pressed onto the obstacle, for figure 1.5.
+void pressed(const ProgramOptions& run, const SolvedScene& block) {
+  const Pairs& pairs = block.model.pairs;
+  const Mesh& mesh = block.model.bodies[0].mesh;
+  const NodeArray& u = block.solution.displacements[0];
+  const NodeArray moved = pairs.position + u(pairs.node, Eigen::all);
+  write_file(run.out / "fig_1_5_block.csv",
+             deformed_cells_csv(mesh, u, Eigen::VectorXd::Zero(mesh.n_cells())));
+  write_file(run.out / "fig_1_5_arrows.csv",
+             pressure_arrows_csv(moved, pairs.normal, block.solution.pressure));
+}
+
+// 3. Gap and pressure along the base, for figure 1.5, and what the text quotes of them.
 void gap_and_pressure(const ProgramOptions& run, const SolvedScene& block, Results& results) {
   const Pairs& pairs = block.model.pairs;
   write_file(run.out / "fig_1_5.csv",
              pressure_csv(block.model, block.solution, "rel 1e-6 abs 1e-8"));
   const Eigen::VectorXd x = pairs.position.col(0);
-  const NodeArray moved = pairs.position + block.solution.displacements[0](pairs.node, Eigen::all);
-  const Table outline = table_of(
-      {{"x", x}, {"obstacle", obstacle_at(x)}, {"base_x", moved.col(0)}, {"base_y", moved.col(1)}});
-  write_file(run.out / "fig_1_5_obstacle.csv", outline.csv("rel 1e-6 abs 1e-8"));
+  write_file(run.out / "fig_1_5_obstacle.csv",
+             table_of({{"x", x}, {"y", obstacle_at(x)}}).csv("rel 1e-6 abs 1e-8"));
   write_vtu(run.out / "ch01.vtu", block.model, block.solution);
   const Resultants sum = resultants(block.model, block.solution);
   results.add("candidates", static_cast<double>(block.model.programme.A.rows()), "-");
@@ -76,6 +87,7 @@ void gap_and_pressure(const ProgramOptions& run, const SolvedScene& block, Resul
 SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch01");
   sketch(run);
+  pressed(run, solved(block_on_obstacle(32), "the block on 32 x 16 cells"));
   gap_and_pressure(run, shown(block_on_obstacle(160), "the block"), results);
   if (run.full) {
     const SolvedScene fine = shown(block_on_obstacle(640), "the block");

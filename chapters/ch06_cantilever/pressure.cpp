@@ -1,6 +1,6 @@
 // Chapter 6 - The contact pressure on 200 x 20 cells beside that of two beams, and the deformed beam.
 // Run:  make ch06     Reads: nothing     Writes: ch06_pressure.results, pressure.csv, fig_6_3.csv, fig_6_4.csv,
-//                                                fig_6_4_zero.csv, ch06.vtu
+//                                                fig_6_4_*.csv, ch06.vtu
 #include "papers/field_csv.hpp"
 #include "scene.hpp"
 #include "signorini/core/table.hpp"
@@ -41,6 +41,10 @@ SolveStatus chapter(const ProgramOptions& run) {
   const StressArray nodes = nodal_stress(body.mesh, body.element, body.material, u);
   write_file(run.out / "fig_6_4.csv", deformed_cells_csv(body.mesh, u, cells.col(0)));
   write_file(run.out / "fig_6_4_zero.csv", deformed_zero_line_csv(body.mesh, u, nodes.col(0)));
+  const Pairs& pairs = coarse.model.pairs;
+  const NodeArray moved = pairs.position + u(pairs.node, Eigen::all);
+  write_file(run.out / "fig_6_4_arrows.csv",
+             pressure_arrows_csv(moved, pairs.normal, coarse.solution.pressure));
   Index peak = 0;
   results.add("peak_pressure", fine.solution.pressure.maxCoeff(&peak), "kN/cm^2");
   results.add("peak_position", fine.model.pairs.position(peak, 0), "cm");

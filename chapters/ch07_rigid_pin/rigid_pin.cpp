@@ -31,7 +31,8 @@ void pressures(const ProgramOptions& run, const Bearing& t, const Bearing& c) {
 }
 
 // 2. The plate before and after loading, and the stress along x.
-void draw(const std::filesystem::path& folder, const std::string& name, const SolvedScene& run) {
+void draw(const std::filesystem::path& folder, const std::string& name, const Bearing& bearing) {
+  const SolvedScene& run = bearing.run;
   const BodyModel& body = run.model.bodies[0];
   const NodeArray& u = run.solution.displacements[0];
   const VectorXd stress = cell_stress(body.mesh, body.element, body.material, u).col(0);
@@ -42,6 +43,11 @@ void draw(const std::filesystem::path& folder, const std::string& name, const So
   write("1_", ".csv", deformed_cells_csv(body.mesh, u, stress, 0));
   write("3_", ".csv", deformed_cells_csv(body.mesh, u, stress));
   write("3_", "_zero.csv", deformed_zero_line_csv(body.mesh, u, at_nodes));
+  std::vector<Index> hole = boundary_nodes(body.mesh, "hole");  // from the left to the right
+  if (name == "c") std::reverse(hole.begin(), hole.end());
+  const NodeArray before = body.mesh.nodes(hole, Eigen::all);
+  write("3_", "_arrows.csv",
+        pressure_arrows_csv(before + u(hole, Eigen::all), before / hole_radius, bearing.pressure));
 }
 
 SolveStatus chapter(const ProgramOptions& run) {
@@ -50,7 +56,7 @@ SolveStatus chapter(const ProgramOptions& run) {
   pressures(run, t, c);
   write_vtu(run.out / "ch07.vtu", t.run.model, t.run.solution);
   for (const auto& [name, now] : {std::pair("t", &t), std::pair("c", &c)}) {
-    draw(run.out, name, now->run);
+    draw(run.out, name, *now);
     results.add(text("resultant_", name), now->resultant, "kN/cm");
     results.add(text("right_", name), now->right, "cm");
   }

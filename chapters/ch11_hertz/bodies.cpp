@@ -70,8 +70,8 @@ void draw_surfaces(const std::filesystem::path& folder, const SolvedScene& run) 
     const NodeArray moved = mesh.nodes + run.solution.displacements[body];
     for (const Eigen::Index node : boundary_nodes(mesh, body == 0 ? "rim" : "surface"))
       if (mesh.nodes(node, 0) < 2)
-        table.row({mesh.nodes(node, 0), 1e3 * mesh.nodes(node, 1), moved(node, 0),
-                   1e3 * moved(node, 1)});
+        table.row(
+            {mesh.nodes(node, 0), 1e3 * mesh.nodes(node, 1), moved(node, 0), 1e3 * moved(node, 1)});
     table.blank_line();
   }
   write_file(folder / "fig_11_5.csv", table.csv("rel 1e-6 abs 1e-6"));
@@ -83,6 +83,10 @@ SolveStatus chapter(const ProgramOptions& run) {
   draw_surfaces(run.out, ours);
   write_file(run.out / "fig_11_7.csv", shear_near_contact(ours, 0, 2.5));
   write_file(run.out / "fig_11_7_plate.csv", shear_near_contact(ours, 1, 2.5));
+  const Pairs& pairs = ours.model.pairs;
+  const NodeArray moved = pairs.position + ours.solution.displacements[0](pairs.node, Eigen::all);
+  write_file(run.out / "fig_11_7_arrows.csv",
+             pressure_arrows_csv(moved, pairs.normal, ours.solution.pressure));
   return SolveStatus::Solved;
 }
 

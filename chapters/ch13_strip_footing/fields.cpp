@@ -37,6 +37,12 @@ void draw(const std::filesystem::path& folder, const SolvedScene& run, const Sol
   const std::vector<double> across = {-3e-4, -2e-4, -1e-4, -5e-5, -1e-5, 1e-5, 5e-5, 1e-4};  // [m]
   const std::vector<double> down = {-3e-3, -2.5e-3, -2e-3, -1.5e-3, -1e-3, -5e-4};
   const char* parts[] = {"_footing.csv", ".csv"};
+  const std::vector<Index> under =
+      boundary_nodes(run.model.bodies[1].mesh, "loaded");  // as the pairs
+  const NodeArray moved =
+      run.model.pairs.position + times * run.solution.displacements[1](under, Eigen::all);
+  write_file(folder / "fig_13_1_arrows.csv",
+             pressure_arrows_csv(moved, run.model.pairs.normal, run.solution.pressure));
   for (std::size_t k = 0; k < 2; ++k) {
     const BodyModel& body = finer.model.bodies[k];
     const NodeArray& u = finer.solution.displacements[k];
@@ -45,7 +51,9 @@ void draw(const std::filesystem::path& folder, const SolvedScene& run, const Sol
     const auto write = [&](const char* name, const std::string& csv) {
       write_file(folder / text("fig_13_", name, parts[k]), csv);
     };
-    write("1", undeformed(run.model.bodies[k].mesh));
+    const Mesh& coarse_mesh = run.model.bodies[k].mesh;
+    write("1", deformed_cells_csv(coarse_mesh, run.solution.displacements[k],
+                                  VectorXd::Zero(coarse_mesh.n_cells()), times));
     write("3_mesh", undeformed(part));
     write("3", deformed_bands_csv(part, u, stress.col(1), stresses, times));
     write("3_x", deformed_bands_csv(part, u, u.col(0), across, times));

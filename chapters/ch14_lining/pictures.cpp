@@ -19,6 +19,21 @@ using namespace ch14;
 
 const double gap = paper.radii[2] - paper.radii[1];
 
+// Figure 14.1, below: both rings under load, and the pressure between them.
+void pressed(const std::filesystem::path& out, const SolvedScene& now) {
+  for (const std::size_t k : {0, 1}) {
+    const Mesh mesh = drawn(now.model.bodies[k].mesh, gap);
+    const NodeArray& u = now.solution.displacements[k];
+    write_file(out / text("fig_14_1_loaded_", mesh.name, ".csv"),
+               deformed_cells_csv(mesh, u, Eigen::VectorXd::Zero(mesh.n_cells()), magnified));
+  }
+  const Pairs& pairs = now.model.pairs;
+  const NodeArray moved =
+      pairs.position + magnified * now.solution.displacements[0](pairs.node, Eigen::all);
+  write_file(out / "fig_14_1_arrows.csv",
+             pressure_arrows_csv(moved, pairs.normal, now.solution.pressure));
+}
+
 // Figure 14.1: the rims of the sketch and the cells of the mesh, with the magnified gap.
 void sketch(const std::filesystem::path& out, const SolvedScene& now) {
   Table rims({"x", "y"});
@@ -35,6 +50,7 @@ void sketch(const std::filesystem::path& out, const SolvedScene& now) {
                deformed_cells_csv(mesh, 0 * mesh.nodes, Eigen::VectorXd::Zero(mesh.n_cells())));
   }
   write_file(out / "fig_14_1.csv", rims.csv());
+  pressed(out, now);
 }
 
 // Levels at equal distances, `steps` bands between them.

@@ -209,4 +209,24 @@ std::string deformed_zero_line_csv(const Mesh& mesh, const NodeArray& displaceme
   return line.csv(text("rel 1e-4 abs ", 2e-5 * moved.cwiseAbs().maxCoeff()));
 }
 
+// A pressure pushes along a normal; how long its arrow is drawn is the figure's own choice.
+//
+// A pressure of 3 upwards at (10, 0) is the line 10,0,0,3.
+std::string pressure_arrows_csv(const NodeArray& place, const NodeArray& normal,
+                                const Eigen::Ref<const Eigen::VectorXd>& pressure) {
+  require_argument(place.rows() == normal.rows() && place.rows() == pressure.size(),
+                   "pressure_arrows_csv: need as many places as normals and pressures, got ",
+                   place.rows(), ", ", normal.rows(), " and ", pressure.size());
+  Table arrows({"x", "y", "px", "py"});
+  double largest = 0;
+  for (Eigen::Index k = 0; k < place.rows(); ++k) {
+    Eigen::RowVector4d row;
+    row << place.row(k), pressure(k) * normal.row(k);
+    largest = std::max(largest, row.cwiseAbs().maxCoeff());
+    arrows.row({number(row(0), "%.5g"), number(row(1), "%.5g"), number(row(2), "%.5g"),
+                number(row(3), "%.5g")});
+  }
+  return arrows.csv(text("rel 1e-4 abs ", 2e-5 * largest));
+}
+
 }  // namespace signorini

@@ -56,4 +56,15 @@ namespace signorini {
                                                  const Eigen::Ref<const Eigen::VectorXd>& value,
                                                  double scale = 1);
 
+/// What presses on a surface, place by place, for arrows in a figure.
+///
+/// Columns x, y (where an arrow ends), px, py (its vector); figures/style.gp draws them.
+/// \param place     `n x 2` on the deformed surface [length]
+/// \param normal    `n x 2` the way the pressure pushes [-]: Pairs::normal if the surface is the source's
+/// \param pressure  `n` [force/length^2], compression > 0
+/// \return comma separated text with 5 digits, with a tolerance of two units in the last one
+/// \throws std::invalid_argument if sizes differ
+[[nodiscard]] std::string pressure_arrows_csv(const NodeArray& place, const NodeArray& normal,
+                                              const Eigen::Ref<const Eigen::VectorXd>& pressure);
+
 }  // namespace signorini

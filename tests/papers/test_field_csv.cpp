@@ -127,3 +127,16 @@ TEST_CASE("bands of wrong sizes or levels are refused", "[field_csv]") {
   CHECK_THROWS_AS(deformed_bands_csv(mesh, u, Eigen::VectorXd::Zero(4), {1, 1}),
                   std::invalid_argument);
 }
+
+TEST_CASE("an arrow ends on the surface and has the length and the way of its pressure",
+          "[field_csv]") {
+  NodeArray place(2, 2), normal(2, 2);
+  place << 10, 0, 8, 6;
+  normal << 0, 1, 0.8, 0.6;
+  CHECK(pressure_arrows_csv(place, normal, Eigen::Vector2d(3, 5)) ==
+        "# tolerance rel 1e-4 abs 0.0002\nx,y,px,py\n10,0,0,3\n8,6,4,3\n");
+  CHECK_THROWS_AS(pressure_arrows_csv(place, normal, Eigen::Vector3d(3, 5, 7)),
+                  std::invalid_argument);
+  CHECK_THROWS_AS(pressure_arrows_csv(place, normal.topRows(1), Eigen::Vector2d(3, 5)),
+                  std::invalid_argument);
+}
