@@ -59,8 +59,9 @@ def copy(book):
 
     def data(m):    # the faces travel in the style sheet: they do not come late, and nothing moves
         return "url(data:font/woff2;base64,%s)" % base64.b64encode((docs / m[1]).read_bytes()).decode()
-    (book.out / "page.css").write_text(re.sub(r"url\((fonts/[\w-]+\.woff2)\)", data, (docs / "page.css").read_text(encoding="utf-8")),
-                                       encoding="utf-8")
+    for name in ("page.css", "formula.css"):
+        sheet = re.sub(r"url\((fonts/[\w-]+\.woff2)\)", data, (docs / name).read_text(encoding="utf-8"))
+        (book.out / name).write_text(sheet, encoding="utf-8")
     shutil.copytree(docs / "fonts", book.out / "fonts", dirs_exist_ok=True, ignore=shutil.ignore_patterns("*.woff2", "*.sh"))
 
 

@@ -8,7 +8,7 @@ from tex import escaped
 PAGE = """<!DOCTYPE html>
 <html lang="en"%(engine)s><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
 <title>%(title)s · Signorini</title><meta name="color-scheme" content="light dark">
-<link rel="stylesheet" href="page.css">%(style)s
+<link rel="stylesheet" href="page.css">%(formulas)s%(style)s
 <script src="page.js"></script><script src="peek.js" defer></script><script src="find.js" defer></script>
 %(script)s</head><body class="%(kind)s">
 <a class="skip" href="#book-text">to the text</a><div id="book-progress" aria-hidden="true"></div>
@@ -94,14 +94,20 @@ def step(book, name, kind, words):
     return '<a class="%s" href="%s.html"><small>%s</small>%s</a>' % (kind, name, words, escaped(book.title[name]))
 
 
+def formula_sheet(shown):
+    """The face of formulas, for a page that shows some, or previews of functions, which may have some."""
+    return '<link rel="stylesheet" href="formula.css">' if re.search('<math|href="source-[^"]*#', shown) else ""
+
+
 def write(book, page, title, main, text=None, kind=None):
     """A whole page."""
     has_live = 'class="live"' in main
+    previews = templates(text.refer.previews) if text else ""
     words = {"engine": " data-engine" if book.engine else "", "title": escaped(re.sub(r"[`$*]", "", title)), "main": main,
-             "style": '<link rel="stylesheet" href="live.css">' if has_live else "",
+             "formulas": formula_sheet(main + previews), "style": '<link rel="stylesheet" href="live.css">' if has_live else "",
              "script": '<script src="live.js" defer></script>' if has_live else "", "kind": kind or html.escape(page.split("-")[0]),
              "side": Side(book, page, [s for s in text.sections if s[0] != "exercises"] if text else []).html(),
-             "previews": templates(text.refer.previews) if text else ""}
+             "previews": previews}
     (book.out / (page + ".html")).write_text(PAGE % words, encoding="utf-8")
     book.seek.add(page, title, main)
 
