@@ -154,4 +154,5 @@ def write_cover(book, text):
     body += '<section class="part"><h2>Reading the library</h2><ol>%s</ol></section>' % rows if rows else ""
     head = '<header class="title"><h1>Signorini</h1><p class="lead">%s</p></header>' % (
         text.html(" ".join(lead[1].split()), False) if lead else "")
-    write(book, "index", "a book that runs", head + body, text, "cover")
+    main = re.sub(r"<math><mi>(\w)</mi></math>", r"<em>\1</em>", head + body)    # a letter needs no face of formulas
+    write(book, "index", "a book that runs", main, text, "cover")
