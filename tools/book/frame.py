@@ -53,6 +53,7 @@ class Side:
             out += section(title, [self.entry(name) for name in names])
         out += section("Reading the library", [self.entry(name, words_of_evening(book, name)) for name in book.evenings])
         entries = [self.entry(book.page[path], words) for path, words in book.use if path in book.page]
+        entries.append(self.entry("slides", "Slides"))
         if book.reference:
             entries.append('<li><a href="reference/index.html">Reference of src/</a></li>')
         return out + section("Use", entries)
