@@ -13,6 +13,7 @@ END = re.compile(r"[.?!][*)]{0,2}(?=\s+[A-Z*`$\[“\"(]|\s*$)")
 LEAD = re.compile(r"(\*\*?)(?=[^\s*])[^*]{2,60}[.?!:]\1(?= )")
 NEW_WORD = re.compile(r"(?<![\w*])\*[a-z][^*]{2,40}\*(?![\w*])")
 LONGEST = 330             # signs of a sentence on a slide that lists sentences
+SHORT = 90                # a shorter one takes the next with it
 LINE, GAP = 41, 16        # pixels of a line, and between sentences
 WIDEST = 110              # signs of TeX in a row of a formula
 LEFT_OUT = ("Possible extensions",)
@@ -32,13 +33,23 @@ def sentences(words):
     return [words[a:b].strip() for a, b in zip(cuts, cuts[1:]) if words[a:b].strip()]
 
 
+def grown(said, begun):
+    """The first sentence, and more if it is short: `begun`, no more than a lead-in."""
+    words = " ".join(said[:2] if begun else said[:1])
+    rest = said[2:] if begun else said[1:]
+    if rest and len(plain(words)) < SHORT and len(plain(words + rest[0])) <= LONGEST and not rest[0].endswith((",", ":")):
+        words += " " + rest[0]
+    return words
+
+
 def told(paragraph, first):
     """The sentences of a paragraph that go to a slide; `first`: it begins its section."""
     said = sentences(paragraph)
     lead = LEAD.match(paragraph)
     if lead and said:    # the lead-in may be a sentence of its own
-        return [" ".join(said[:2] if said[0] == lead[0] else said[:1])]
-    keep = [s for k, s in enumerate(said) if (first and not k) or NEW_WORD.search(s)]
+        return [grown(said, said[0] == lead[0])]
+    keep = [grown(said, False)] if first else []
+    keep += [s for s in said if NEW_WORD.search(s) and s not in " ".join(keep)]
     return [s for s in keep if len(plain(s)) <= LONGEST and not s.endswith((",", ":"))]
 
 
@@ -136,7 +147,7 @@ class Cut(Text):
         rows = [[len(plain(re.sub("<!--.*?-->", "", cell)).strip()) for cell in row.strip("| ").split("|")] for row in text.split("\n")]
         wide = sum(max(row[k] for row in rows if k < len(row)) + 3 for k in range(len(rows[0])))
         if len(rows) <= 11 and wide <= 92:
-            self.add("table", html, 42 * (len(rows) - 1) + 60)
+            self.add("table", html, 42 * (len(rows) - 1) + 20)
 
     def formula(self, text, html):
         row = max(map(len, re.sub(r"\\(?:left|right|tag\{.*?\}|q+uad)|\\[a-zA-Z]+", "x", text).split("\\\\")))
@@ -166,8 +177,8 @@ class Cut(Text):
             said = sentences(re.sub(r"^([*-]|\d+\.) ", "", item))
             if not said:
                 continue
-            lead = LEAD.match(said[0])
-            words = " ".join(said) if whole else " ".join(said[:2] if lead and said[0] == lead[0] else said[:1])
+            lead = LEAD.match(" ".join(said))
+            words = " ".join(said) if whole else grown(said, lead and said[0] == lead[0])
             if self.parts[-1][0] == "Exercises":
                 words = re.sub(r" `make ex[\d.]+`$", "", words)
             if len(plain(words)) <= LONGEST or whole:

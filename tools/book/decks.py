@@ -12,7 +12,7 @@ from cut import Cut
 from pieces import cells_of
 from tex import escaped
 
-ROOM = 520    # pixels below the heading
+ROOM = 545    # pixels below the heading
 ALONE = ("figure", "computed", "box open", "box misprint", "box verdict", "predict", "answer", "listing")
 WITH_WORDS = ("figure", "listing")
 FEW = 120     # pixels of words that a figure has room for
