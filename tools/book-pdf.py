@@ -26,7 +26,8 @@ PASSES = 5       # until every number is that of its page
 SECONDS = 900    # for pictures and faces, on a busy machine
 
 PAGE = """<!DOCTYPE html><html lang="en" class="light"><head><meta charset="utf-8"/><title>Signorini</title>
-<link rel="stylesheet" href="@BOOK@/page.css"/><link rel="stylesheet" href="@DOCS@/print.css"/>
+<link rel="stylesheet" href="@BOOK@/page.css"/><link rel="stylesheet" href="@BOOK@/formula.css"/>
+<link rel="stylesheet" href="@DOCS@/print.css"/>
 <style>@page { size: A4; margin: 22mm 20mm 20mm; @bottom-center { content: counter(page); font: 9pt Pagella, serif; } }
 @page :first { @bottom-center { content: none; } }</style>
 <script src="@DOCS@/print.js"></script></head><body></body></html>

@@ -25,7 +25,8 @@ TEXTS = {
     "docs/parts": "part First: 0-3\npart Later: 4-99\npaper A Smith1990: 1-2\npaper B Jones2000: 3\nuse README.md: What\nuse chapters/README.md: Ways\n"
                   "use chapters/glossary.md: Glossary\nuse docs/references.md: References\n",
     "docs/rooms": "# rooms\npress 700 900\n",
-    "docs/page.css": "", "docs/page.js": "", "docs/peek.js": "", "docs/find.js": "", "docs/live.js": "", "docs/live.css": "", "docs/fonts/README": "",
+    **{"docs/" + name: "" for name in ("page.css", "formula.css", "page.js", "peek.js", "find.js", "live.js", "live.css", "slides.js", "slides.css",
+                                           "fonts/README")},
     "docs/references.md": '# References\n\n<a id="Smith1990"></a>\nSmith J., On contact, 1990.\n\n'
                           '<a id="Jones2000"></a>\nJones K., More, 2000.\n',
     "README.md": "# Book\n\nA book on contact.\n",
@@ -249,6 +250,8 @@ class Whole(unittest.TestCase):
         folder = make(FOLDER / "whole")
         code, said = run(folder)
         self.assertEqual((code, said[-13:]), (0, "0 complaints\n"), said)
+        for name, formulas in ("index", False), ("chapter-01", True), ("chapter-05", False):    # their face is large
+            self.assertEqual('href="formula.css"' in page(folder, name), formulas, name)
         cover, chapter, source = page(folder, "index"), page(folder, "chapter-01"), page(folder, "source-papers-thing-cpp")
         self.assertIn("how it begins", cover)
         self.assertLess(cover.index(">First<"), cover.index(">Reading the library<"))

@@ -64,7 +64,7 @@ def book(with_engine):
     folder = make(FOLDER / ("engine" if with_engine else "printed"), [
         ("chapters/ch01_one/README.md", "![Figure 1.1", "%s<!-- live press -->\n\n![Figure 1.1" % ("A line of text.\n\n" * 60)),
         ("chapters/ch01_one/README.md", "does it.\n", "does it.\n\n" + "And then.\n\n" * 60), ("docs/rooms", "press 700 900", "press 570 585")])
-    for name in ("page.css", "page.js", "peek.js", "find.js", "live.js", "live.css"):
+    for name in ("page.css", "formula.css", "page.js", "peek.js", "find.js", "live.js", "live.css"):
         shutil.copy(ROOT / "docs" / name, folder / "docs")
     shutil.copytree(ROOT / "docs/fonts", folder / "docs/fonts", dirs_exist_ok=True)
     os.makedirs(folder / "out")

@@ -7,6 +7,7 @@
     references.py  links with previews                  evenings.py  the order in which the library is read
     cxx.py       names in code                          contracts.py previews of functions; copies for Doxygen
     frame.py     side bar, cover, previous and next     seek.py      full-text search
+    cut.py       what of a chapter goes to slides       decks.py     the slides
 
 Needs Python 3, and Perl for what functions lead to (tools/evenings.pl).  TAGS is the tag file of the reference that Doxygen made in
 OUT/reference; figures compute if OUT has an engine.js.  Ends with status 1 and says why if a formula cannot be read, or a link, an
@@ -22,6 +23,7 @@ from pathlib import Path
 sys.dont_write_bytecode = True    # no __pycache__ beside the tools
 
 import contracts
+import decks
 import evenings
 import frame
 import sources
@@ -54,13 +56,14 @@ def copy(book):
         to = book.out / "files" / (path + ("" if Path(path).suffix in (".svg", ".png") else ".txt"))
         to.parent.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(book.root / path, to)
-    for name in ("page.js", "peek.js", "find.js", "live.js", "live.css"):
+    for name in ("page.js", "peek.js", "find.js", "live.js", "live.css", "slides.js", "slides.css"):
         shutil.copyfile(docs / name, book.out / name)
 
     def data(m):    # the faces travel in the style sheet: they do not come late, and nothing moves
         return "url(data:font/woff2;base64,%s)" % base64.b64encode((docs / m[1]).read_bytes()).decode()
-    (book.out / "page.css").write_text(re.sub(r"url\((fonts/[\w-]+\.woff2)\)", data, (docs / "page.css").read_text(encoding="utf-8")),
-                                       encoding="utf-8")
+    for name in ("page.css", "formula.css"):
+        sheet = re.sub(r"url\((fonts/[\w-]+\.woff2)\)", data, (docs / name).read_text(encoding="utf-8"))
+        (book.out / name).write_text(sheet, encoding="utf-8")
     shutil.copytree(docs / "fonts", book.out / "fonts", dirs_exist_ok=True, ignore=shutil.ignore_patterns("*.woff2", "*.sh"))
 
 
@@ -109,6 +112,7 @@ def main():
     for page in list(book.text):
         frame.write_text(book, page, Text(book, page))
     frame.write_cover(book, Text(book, "use"))
+    decks.write_all(book)
     functions = contracts.previews(book)
     (out / "contracts.js").write_text(functions, encoding="utf-8")
     sources.write_all(book)

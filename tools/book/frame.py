@@ -9,7 +9,7 @@ from tex import escaped
 PAGE = """<!DOCTYPE html>
 <html lang="en"%(engine)s><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
 <title>%(title)s · Signorini</title><meta name="color-scheme" content="light dark">
-<link rel="stylesheet" href="page.css">%(style)s
+<link rel="stylesheet" href="page.css">%(formulas)s%(style)s
 <script src="page.js"></script><script src="peek.js" defer></script><script src="find.js" defer></script>
 %(script)s</head><body class="%(kind)s">
 <a class="skip" href="#book-text">to the text</a><div id="book-progress" aria-hidden="true"></div>
@@ -54,6 +54,7 @@ class Side:
             out += section(title, [self.entry(name) for name in names])
         out += section("Reading the library", [self.entry(name, words_of_evening(book, name)) for name in book.evenings])
         entries = [self.entry(book.page[path], words) for path, words in book.use if path in book.page]
+        entries.append(self.entry("slides", "Slides"))
         if book.reference:
             entries.append('<li><a href="reference/index.html">Reference of src/</a></li>')
         return out + section("Use", entries)
@@ -95,14 +96,20 @@ def step(book, name, kind, words):
     return '<a class="%s" href="%s.html"><small>%s</small>%s</a>' % (kind, name, words, escaped(book.title[name]))
 
 
+def formula_sheet(shown):
+    """The face of formulas, for a page that shows some, or previews of functions, which may have some."""
+    return '<link rel="stylesheet" href="formula.css">' if re.search('<math|href="source-[^"]*#', shown) else ""
+
+
 def write(book, page, title, main, text=None, kind=None):
     """A whole page."""
     has_live = 'class="live"' in main
+    previews = templates(text.refer.previews) if text else ""
     words = {"engine": " data-engine" if book.engine else "", "title": escaped(re.sub(r"[`$*]", "", title)), "main": main,
-             "style": '<link rel="stylesheet" href="live.css">' if has_live else "",
+             "formulas": formula_sheet(main + previews), "style": '<link rel="stylesheet" href="live.css">' if has_live else "",
              "script": '<script src="live.js" defer></script>' if has_live else "", "kind": kind or html.escape(page.split("-")[0]),
              "side": Side(book, page, [s for s in text.sections if s[0] != "exercises"] if text else []).html(),
-             "previews": templates(text.refer.previews) if text else ""}
+             "previews": previews}
     (book.out / (page + ".html")).write_text(PAGE % words, encoding="utf-8")
     book.seek.add(page, title, main)
 
@@ -149,4 +156,5 @@ def write_cover(book, text):
     body += '<section class="part"><h2>Reading the library</h2><ol>%s</ol></section>' % rows if rows else ""
     head = '<header class="title"><h1>Signorini</h1><p class="lead">%s</p></header>' % (
         text.html(" ".join(lead[1].split()), False) if lead else "")
-    write(book, "index", "a book that runs", head + body, text, "cover")
+    main = re.sub(r"<math><mi>(\w)</mi></math>", r"<em>\1</em>", head + body)    # a letter needs no face of formulas
+    write(book, "index", "a book that runs", main, text, "cover")
