@@ -2,6 +2,7 @@
 # In: fig_11_7.csv, fig_11_7_plate.csv, fig_11_7_arrows.csv   Out: fig_11_7.svg
 width = 640; height = 530
 load 'style.gp'
+load 'bodies.gp'
 set size ratio -1
 unset key; unset grid
 set xlabel '{/:Italic x} [mm]' offset 0,0.4

@@ -2,6 +2,7 @@
 # In: fig_13_1.csv, fig_13_1_footing.csv, fig_13_1_arrows.csv   Out: fig_13_1.svg
 width = 640; height = 360
 load 'style.gp'
+load 'bodies.gp'
 set size ratio -1
 unset key; unset grid; unset border; unset tics
 set bmargin at screen 0.02

@@ -2,6 +2,7 @@
 # Gap and displacements are drawn 20 times as large.   In: fig_14_1*.csv   Out: fig_14_1.svg
 width = 640; height = 640
 load 'style.gp'
+load 'bodies.gp'
 set size ratio -1
 unset key; unset grid; unset border; unset tics
 set xrange [-8:86]

@@ -2,6 +2,7 @@
 # In: fig_1_5.csv, fig_1_5_block.csv, fig_1_5_arrows.csv, fig_1_5_obstacle.csv   Out: fig_1_5.svg
 height = 660
 load 'style.gp'
+load 'bodies.gp'
 unset key
 set multiplot
 set lmargin at screen 0.14

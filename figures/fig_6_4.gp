@@ -2,6 +2,7 @@
 # In: fig_6_4.csv, fig_6_4_arrows.csv, fig_6_4_zero.csv   Out: fig_6_4.svg
 width = 480; height = 370
 load 'style.gp'
+load 'bodies.gp'
 set lmargin 8
 set rmargin 2
 set bmargin at screen 0.38

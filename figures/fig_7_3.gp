@@ -1,6 +1,7 @@
 # Figure 7.3 - the deformed plate, the pin and its pressure, both readings.   In: fig_7_3_*.csv   Out: fig_7_3.svg
 width = 480; height = 680
 load 'style.gp'
+load 'bodies.gp'
 set size ratio -1
 unset key; unset grid
 set xrange [-11:12]

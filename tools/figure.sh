@@ -8,11 +8,13 @@
 set -eu
 tools=$(cd "$(dirname "$0")" && pwd)
 
-stamp() { # script, folder of its data: fig_6_1.gp goes with fig_6_1.csv and fig_6_1_*.csv
+stamp() { # script, folder of its data: fig_6_1.gp goes with what it loads, fig_6_1.csv and fig_6_1_*.csv
     name=$(basename "$1" .gp)
-    for f in "$1" "$(dirname "$1")/style.gp" "$2/$name".csv "$2/${name}"_*.csv; do
-        [ ! -f "$f" ] || cat "$f"
-    done | cksum | cut -d ' ' -f 1
+    {
+        cat "$1"
+        sed -n "s/^load '\(.*\)'.*/\1/p" "$1" | while read -r loaded; do cat "$(dirname "$1")/$loaded"; done
+        for f in "$2/$name".csv "$2/${name}"_*.csv; do [ ! -f "$f" ] || cat "$f"; done
+    } | cksum | cut -d ' ' -f 1
 }
 
 if [ "$1" = --check ]; then
