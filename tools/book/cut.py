@@ -27,7 +27,7 @@ def plain(words):
 def sentences(words):
     """The sentences of a paragraph."""
     words = re.sub(r"<!--.*?-->", "", " ".join(words.split()))
-    hidden = MASKED.sub(lambda m: "x" * len(m[0]), words)
+    hidden = MASKED.sub(lambda m: m[0][0] + "x" * (len(m[0]) - 1), words)
     ends = [m.end() for m in END.finditer(hidden)]
     cuts = [0] + ends + ([len(words)] if not ends or words[ends[-1]:].strip() else [])
     return [words[a:b].strip() for a, b in zip(cuts, cuts[1:]) if words[a:b].strip()]
