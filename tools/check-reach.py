@@ -27,9 +27,18 @@ PROBE = r"""(async () => {
   document.head.append(still);
   const pen = document.createElement('canvas').getContext('2d', { willReadFrequently: true });
   pen.canvas.width = pen.canvas.height = 1;
-  const over = colours => { pen.clearRect(0, 0, 1, 1); for (const c of colours) { pen.fillStyle = c; pen.fillRect(0, 0, 1, 1); } return pen.getImageData(0, 0, 1, 1).data; };
-  const light = rgb => [0.2126, 0.7152, 0.0722].reduce((sum, w, k) => { const p = rgb[k] / 255; return sum + w * (p <= 0.03928 ? p / 12.92 : ((p + 0.055) / 1.055) ** 2.4); }, 0);
-  const walk = (e, out = []) => { for (; e; e = e.parentElement) out.push(getComputedStyle(e).backgroundColor); return ['white', ...out.reverse()]; };
+  function over(colours) {    // the colour that is seen when they lie on each other
+    pen.clearRect(0, 0, 1, 1);
+    for (const c of colours) { pen.fillStyle = c; pen.fillRect(0, 0, 1, 1); }
+    return pen.getImageData(0, 0, 1, 1).data;
+  }
+  const linear = p => p <= 0.03928 ? p / 12.92 : ((p + 0.055) / 1.055) ** 2.4;
+  const light = rgb => [0.2126, 0.7152, 0.0722].reduce((sum, w, k) => sum + w * linear(rgb[k] / 255), 0);
+  function walk(e) {
+    const out = [];
+    for (; e; e = e.parentElement) out.push(getComputedStyle(e).backgroundColor);
+    return ['white', ...out.reverse()];
+  }
   function contrast(tone) {
     root.classList.remove('light', 'dark');
     root.classList.add(tone);
@@ -41,13 +50,17 @@ PROBE = r"""(async () => {
       const key = [style.color, style.fill, large, ...grounds].join();
       if (seen.has(key)) continue;
       seen.set(key, true);
-      const [low, high] = [light(over(grounds)), light(over([...grounds, e.closest('svg') ? style.fill : style.color]))].sort((a, b) => a - b);
+      const letters = over([...grounds, e.closest('svg') ? style.fill : style.color]);
+      const [low, high] = [light(over(grounds)), light(letters)].sort((a, b) => a - b);
       const ratio = (high + 0.05) / (low + 0.05);
       if (ratio < (large ? 3 : 4.5)) bad.push(`contrast ${ratio.toFixed(2)}, ${tone}: ${n.data.trim().slice(0, 40)}`);
     }
   }
   for (const tone of ['light', 'dark']) contrast(tone);
-  const looks = e => { const s = getComputedStyle(e); return [s.outlineStyle, s.outlineWidth, s.boxShadow, s.backgroundColor, s.borderColor].join(); };
+  function looks(e) {
+    const s = getComputedStyle(e);
+    return [s.outlineStyle, s.outlineWidth, s.boxShadow, s.backgroundColor, s.borderColor].join();
+  }
   for (const e of document.querySelectorAll(REACHED)) {
     if (!e.checkVisibility({ visibilityProperty: true }) || e.disabled || e.closest('template')) continue;
     const name = (e.getAttribute('aria-label') || e.textContent || e.id || e.tagName).trim().slice(0, 40);
@@ -62,10 +75,9 @@ PROBE = r"""(async () => {
   return JSON.stringify([...new Set(bad)]);
 })()"""
 
-COUNT = "[...document.querySelectorAll('%s')].filter(e => e.tabIndex >= 0 && e.checkVisibility({ visibilityProperty: true })).length" % REACHED
+SEEN = "[...document.querySelectorAll('%s')].filter(e => e.tabIndex >= 0 && e.checkVisibility({ visibilityProperty: true }))" % REACHED
 AT = "(() => { const e = document.activeElement; if (e === document.body) return false; e.dataset.reached = 1; return true; })()"
-LEFT = "[...document.querySelectorAll('%s')].filter(e => e.tabIndex >= 0 && !e.dataset.reached && e.checkVisibility({ visibilityProperty: true }))" \
-    ".map(e => (e.textContent || e.id || e.tagName).trim().slice(0, 40))" % REACHED
+LEFT = SEEN + ".filter(e => !e.dataset.reached).map(e => (e.textContent || e.id || e.tagName).trim().slice(0, 40))"
 
 
 def chosen(folder):
@@ -86,7 +98,7 @@ def ask(browser, tab, script):
 
 def tabbed(browser, tab):
     """Presses the tabulator through the page that is open: what it does not come to."""
-    count = ask(browser, tab, "document.activeElement?.blur(); scrollTo(0, 0); getSelection().setPosition(document.body, 0); " + COUNT)
+    count = ask(browser, tab, "document.activeElement?.blur(); scrollTo(0, 0); getSelection().setPosition(document.body, 0); " + SEEN + ".length")
     for _ in range(count + 20):
         for kind in ("rawKeyDown", "keyUp"):
             browser.call("Input.dispatchKeyEvent", tab.session, type=kind, key="Tab", code="Tab", windowsVirtualKeyCode=9)

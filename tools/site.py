@@ -116,7 +116,8 @@ class Site:
     def __init__(self, book):
         self.book, self.bad = book, []
         self.files = sorted(str(file.relative_to(book)) for file in book.rglob("*") if file.is_file())
-        self.pages = {name: Page((book / name).read_text(encoding="utf-8"), "/" not in name) for name in self.files if name.endswith(".html")}
+        self.pages = {name: Page((book / name).read_text(encoding="utf-8"), "/" not in name)
+                      for name in self.files if name.endswith(".html")}
         self.wanted = {"index.html"} | {name for name in self.files if name in LOADED or name.startswith(("fonts/", "reference/"))}
 
     def complain(self, where, what):
@@ -150,8 +151,10 @@ class Site:
 
     def start(self):
         """Bytes of the first page and all that it loads before the engine."""
-        names = {"index.html"} | {name for name in self.pages["index.html"].loads if not name.startswith("data:")} if "index.html" in self.pages else {}
-        return sum((self.book / name).stat().st_size for name in names if name in self.files)
+        if "index.html" not in self.pages:
+            self.complain("index.html", "there is none")
+            return 0
+        return sum((self.book / name).stat().st_size for name in {"index.html", *self.pages["index.html"].loads} & set(self.files))
 
     def copy(self, to):
         shutil.rmtree(to, ignore_errors=True)

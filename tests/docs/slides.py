@@ -26,8 +26,8 @@ def small(changes=()):
 
 
 def checked(folder):
-    said = subprocess.run([sys.executable, str(ROOT / "tools/check-slides.py"), str(folder)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                          encoding="utf-8", check=False)
+    said = subprocess.run([sys.executable, str(ROOT / "tools/check-slides.py"), str(folder)], stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, encoding="utf-8", check=False)
     return said.returncode, said.stdout
 
 
@@ -37,13 +37,15 @@ class Cuts(unittest.TestCase):
                          ["It is $a. B$ long, 3.5 mm.", "(So it is.)", "*Then.*", "`x. Y` ends?"])
 
     def test_what_is_told(self):
-        text = "First of all a sentence that is long enough to stand on a slide, quite alone, without the next one. Then no more. A *word* is new."
+        text = "First of all a sentence that is long enough to stand on a slide, quite alone, without the next one. Then no more. " \
+            "A *word* is new."
         self.assertEqual(cut.told(text, True), [text.split(" Then")[0], "A *word* is new."])
         self.assertEqual(cut.told(text, False), ["A *word* is new."])
         self.assertEqual(cut.told("*Lead.* " + text, False), ["*Lead.* " + text.split(" Then")[0]])
 
     def test_lectures(self):
-        plan = "# Teaching\n\n## Lectures\n\n| 1 | [1](../%s), to *The gap* | a | b | c |\n| 2 | [1](../%s), the rest | d | e | f |\n" % (ONE, ONE)
+        plan = "# Teaching\n\n## Lectures\n\n" \
+            "| 1 | [1](../%s), to *The gap* | a | b | c |\n| 2 | [1](../%s), the rest | d | e | f |\n" % (ONE, ONE)
         for until, code in ("The gap", 0), ("The gop", 1):
             folder = make(FOLDER / "lectures", [(ONE, "does it.\n", "does it.\n\n## Later\n\nMore.\n")])
             (folder / "docs/teaching.md").write_text(plan.replace("The gap", until), encoding="utf-8")

@@ -167,7 +167,8 @@ class Cut(Text):
 
     def answer(self, text):
         head = re.sub("<.*?>", "", text.split("\n")[0])
-        said = [s for s in re.sub("</?details>|<summary>.*?</summary>", "", text).split("\n\n") if s.strip() and not s.startswith(("|", "`"))]
+        inside = re.sub("</?details>|<summary>.*?</summary>", "", text).split("\n\n")
+        said = [s for s in inside if s.strip() and not s.startswith(("|", "`"))]
         if said and self.parts[-1][2] and self.parts[-1][2][-1].kind == "predict":
             self.add("answer", "".join("<p>%s</p>" % self.html(" ".join(s.split())) for s in said), 0, head)
 
