@@ -85,6 +85,10 @@ book: lint                ## the web pages, build/book/index.html
 	@tools/docs.sh $B/book && echo "open $B/book/index.html"
 book-pdf: book            ## the same as one file to print, build/signorini.pdf, with Chromium
 	@python3 tools/book-pdf.py $B/book $B/signorini.pdf
+slides: book              ## a deck per chapter, build/book/slides.html, cut from its text; measured in Chromium
+	@python3 tools/check-slides.py $B/book && echo "open $B/book/slides.html"
+site: slides              ## all of it as one folder to publish, build/site: no dead link, no error in its HTML, contrast, keyboard
+	@python3 tools/site.py $B/book $B/site && python3 tools/check-reach.py $B/site && echo "open $B/site/index.html"
 engine:                   ## compile the library for the pages, with emscripten: then figures of the book compute
 	@JOBS=$(JOBS) tools/engine.sh $B/engine
 live: configure engine    ## the pages with it; move every control of every live figure in Chromium, and ask the engine in node
@@ -123,5 +127,5 @@ handout:                  ## build/signorini-handout.tar.gz, without solutions a
 	@ls -l $B/signorini-handout.tar.gz
 clean:                    ## remove everything that was built
 	rm -rf $B
-.PHONY: all help configure run chapters test conformance results figures text lint book book-pdf engine live browser bench peers effectivity accuracy \
+.PHONY: all help configure run chapters test conformance results figures text lint book book-pdf slides site engine live browser bench peers effectivity accuracy \
         fuzz faults sets grade handout clean

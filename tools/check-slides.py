@@ -24,7 +24,8 @@ PROBE = r"""(async () => {
   const slides = [...document.querySelectorAll('.slide')], now = () => slides.findIndex(slide => slide.checkVisibility());
   for (const [k, slide] of slides.entries()) {
     if (now() !== k) bad.push([slide.id, 'the keys do not lead to it']);
-    const box = slide.getBoundingClientRect(), inside = slide.querySelector('.inside'), foot = slide.querySelector('footer').getBoundingClientRect();
+    const box = slide.getBoundingClientRect(), inside = slide.querySelector('.inside');
+    const foot = slide.querySelector('footer').getBoundingClientRect();
     if (Math.abs(box.width - 1280) > 1 || Math.abs(box.height - 720) > 1) bad.push([slide.id, `${box.width} x ${box.height} pixels`]);
     if (!inside.textContent.trim() && !inside.querySelector('img')) bad.push([slide.id, 'it is empty']);
     for (const e of inside.querySelectorAll('*')) {
@@ -32,13 +33,15 @@ PROBE = r"""(async () => {
       const r = e.getBoundingClientRect();
       if (!r.width || !r.height) continue;
       if (r.bottom > foot.top + 1 || r.right > box.right - 30 || r.left < box.left + 30 || r.top < box.top + 30) {
-        bad.push([slide.id, `it overflows by ${Math.round(Math.max(r.bottom - foot.top, r.right - box.right + 30, box.left + 30 - r.left))}: ` +
-          (e.textContent.trim() || e.tagName).slice(0, 50)]);
+        const most = Math.max(r.bottom - foot.top, r.right - box.right + 30, box.left + 30 - r.left);
+        bad.push([slide.id, `it overflows by ${Math.round(most)}: ` + (e.textContent.trim() || e.tagName).slice(0, 50)]);
         break;
       }
     }
-    for (const e of inside.querySelectorAll('.scroll, pre')) if (e.scrollWidth > e.clientWidth + 1) bad.push([slide.id, 'cut off: ' + e.textContent.trim().slice(0, 50)]);
-    for (const e of inside.querySelectorAll('img')) if (e.checkVisibility() && e.getBoundingClientRect().height < 180) bad.push([slide.id, 'a picture is pressed flat']);
+    for (const e of inside.querySelectorAll('.scroll, pre'))
+      if (e.scrollWidth > e.clientWidth + 1) bad.push([slide.id, 'cut off: ' + e.textContent.trim().slice(0, 50)]);
+    for (const e of inside.querySelectorAll('img'))
+      if (e.checkVisibility() && e.getBoundingClientRect().height < 180) bad.push([slide.id, 'a picture is pressed flat']);
     press('ArrowRight');
   }
   press('Home');
@@ -58,8 +61,8 @@ def check(browser, folder, page, shots):
     if sheets != count:
         bad.append(["", "%d pages are printed, of %d slides" % (sheets, count)])
     for k in range(count if shots else 0):
-        browser.call("Runtime.evaluate", tab.session, awaitPromise=True, expression="location.hash = document.querySelectorAll('.slide')[%d].id; "
-                     "new Promise(r => setTimeout(r, 60))" % k)
+        browser.call("Runtime.evaluate", tab.session, awaitPromise=True, expression="location.hash = "
+                     "document.querySelectorAll('.slide')[%d].id; new Promise(r => setTimeout(r, 60))" % k)
         picture = browser.call("Page.captureScreenshot", tab.session, format="png")["data"]
         with open(os.path.join(shots, "%s-%02d.png" % (page[:-5], k + 1)), "wb") as file:
             file.write(base64.b64decode(picture))
@@ -89,7 +92,8 @@ def main():
             all_bad += ["%s%s: %s" % (deck, "#" + slide if slide else "", what) for slide, what in bad]
     finally:
         browser.close()
-    print("\n".join(all_bad + ["%d decks, %d slides: %s" % (len(chapters), total, "%d problems" % len(all_bad) if all_bad else "all fine")]))
+    end = "%d problems" % len(all_bad) if all_bad else "all fine"
+    print("\n".join(all_bad + ["%d decks, %d slides: %s" % (len(chapters), total, end)]))
     sys.exit(1 if all_bad else 0)
 
 

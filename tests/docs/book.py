@@ -25,8 +25,8 @@ TEXTS = {
     "docs/parts": "part First: 0-3\npart Later: 4-99\npaper A Smith1990: 1-2\npaper B Jones2000: 3\nuse README.md: What\nuse chapters/README.md: Ways\n"
                   "use chapters/glossary.md: Glossary\nuse docs/references.md: References\n",
     "docs/rooms": "# rooms\npress 700 900\n",
-    **{"docs/" + name: "" for name in ("page.css", "formula.css", "page.js", "peek.js", "find.js", "live.js", "live.css", "slides.js", "slides.css",
-                                           "fonts/README")},
+    **{"docs/" + name: "" for name in ("page.css", "formula.css", "page.js", "peek.js", "find.js", "live.js", "live.css", "slides.js",
+                                       "slides.css", "fonts/README")},
     "docs/references.md": '# References\n\n<a id="Smith1990"></a>\nSmith J., On contact, 1990.\n\n'
                           '<a id="Jones2000"></a>\nJones K., More, 2000.\n',
     "README.md": "# Book\n\nA book on contact.\n",

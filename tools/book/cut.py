@@ -27,7 +27,7 @@ def plain(words):
 def sentences(words):
     """The sentences of a paragraph."""
     words = re.sub(r"<!--.*?-->", "", " ".join(words.split()))
-    hidden = MASKED.sub(lambda m: "x" * len(m[0]), words)
+    hidden = MASKED.sub(lambda m: m[0][0] + "x" * (len(m[0]) - 1), words)
     ends = [m.end() for m in END.finditer(hidden)]
     cuts = [0] + ends + ([len(words)] if not ends or words[ends[-1]:].strip() else [])
     return [words[a:b].strip() for a, b in zip(cuts, cuts[1:]) if words[a:b].strip()]
@@ -167,7 +167,8 @@ class Cut(Text):
 
     def answer(self, text):
         head = re.sub("<.*?>", "", text.split("\n")[0])
-        said = [s for s in re.sub("</?details>|<summary>.*?</summary>", "", text).split("\n\n") if s.strip() and not s.startswith(("|", "`"))]
+        inside = re.sub("</?details>|<summary>.*?</summary>", "", text).split("\n\n")
+        said = [s for s in inside if s.strip() and not s.startswith(("|", "`"))]
         if said and self.parts[-1][2] and self.parts[-1][2][-1].kind == "predict":
             self.add("answer", "".join("<p>%s</p>" % self.html(" ".join(s.split())) for s in said), 0, head)
 

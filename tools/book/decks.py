@@ -66,9 +66,10 @@ class Deck:
 
     def lay_out(self, parts):
         number, words = frame.numbered(self.book.title[self.page])
+        weeks = " and ".join(lecture.number for lecture in self.plan)
         self.slide("title", "", '<p>%s</p><h1>%s%s</h1>%s' % (
             escaped(self.book.part_of(self.page)), "<span>%s</span> " % number if number else "", escaped(words),
-            "<p>lecture%s %s</p>" % ("s" if len(self.plan) > 1 else "", " and ".join(lecture.number for lecture in self.plan)) if self.plan else ""))
+            "<p>lecture%s %s</p>" % ("s" if len(self.plan) > 1 else "", weeks) if weeks else ""))
         begins = self.begins(parts)
         for k, (head, anchor, pieces) in enumerate(parts):
             for lecture in begins.get(k, ()):
@@ -136,7 +137,8 @@ class Deck:
     def write(self):
         has_live = 'class="live"' in "".join(slide[2] for slide in self.slides)
         words = {"engine": " data-engine" if self.book.engine else "", "title": escaped(re.sub(r"[`$*]", "", self.book.title[self.page])),
-                 "script": '<script src="live.js" defer></script>' if has_live else "", "slides": self.html(), "page": html.escape(self.page)}
+                 "script": '<script src="live.js" defer></script>' if has_live else "", "slides": self.html(),
+                 "page": html.escape(self.page)}
         (self.book.out / name_of(self.page)).write_text(DECK % words, encoding="utf-8")
 
 
@@ -154,8 +156,8 @@ def write_all(book):
     text = Text(book, "teaching" if "teaching" in book.text else "use")
     rows = "".join('<tr><td class="num">%s</td><td><a href="%s#lecture-%s">%s</a></td><td>%s</td></tr>' % (
         one.number, name_of(one.page), one.number, text.html(book.title[one.page], False), text.html(one.ask, False)) for one in plan)
-    body = '<header class="title"><p>Use</p><h1>Slides</h1></header><p>A deck for each chapter, cut from its text: →, ← and the space bar ' \
-        'turn, f fills the screen, and a print has one slide a page.</p>'
+    body = '<header class="title"><p>Use</p><h1>Slides</h1></header><p>A deck for each chapter, cut from its text: →, ← and the ' \
+        'space bar turn, f fills the screen, and a print has one slide a page.</p>'
     if rows:
         body += '<h2 id="lectures">By lectures</h2><div class="table wide"><table><thead><tr><th class="num">lecture</th><th>slides</th>' \
             '<th>ask before it runs</th></tr></thead><tbody>%s</tbody></table></div>' % rows
