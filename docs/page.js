@@ -58,9 +58,18 @@
     if (now && now.getBoundingClientRect().bottom > innerHeight) side.scrollTop = now.offsetTop - innerHeight / 3;
   }
 
+  function kept() {    // the chapters read so far, or none if what is stored is damaged
+    try {
+      const pages = JSON.parse(memory.get("read") ?? "[]");
+      return Array.isArray(pages) ? pages : [];
+    } catch {
+      return [];
+    }
+  }
+
   // 4. Where the reader is: a thin line above, the section in the side bar, a mark at chapters read to their end.
   function progress(side, now) {
-    const page = location.pathname.split("/").pop(), read = new Set(JSON.parse(memory.get("read") ?? "[]"));
+    const page = location.pathname.split("/").pop(), read = new Set(kept());
     for (const a of side.querySelectorAll("li > a")) if (read.has(a.getAttribute("href"))) a.parentNode.classList.add("read");
     const entries = [...side.querySelectorAll("li ol a")];
     const heads = entries.map(a => document.getElementById(decodeURIComponent(a.hash.slice(1))));

@@ -43,9 +43,10 @@ def names(folder):
     """The pages that make the book, in its order."""
     there = {f[:-5] for f in os.listdir(folder) if f.endswith(".html")}
     order = [name for name in BEFORE if name in there]
-    for chapter in sorted(name for name in there if re.fullmatch(r"chapter-\d\d", name)):
+    for chapter in dict.fromkeys(re.findall(r'href="(chapter-\d\d)\.html"', read(os.path.join(folder, "index.html")))):
         order.append(chapter)
-        order += sorted(name for name in there if re.fullmatch("exercise" + chapter[7:] + r"-\d+", name))
+        exercises = [name for name in there if re.fullmatch("exercise" + chapter[7:] + r"-\d+", name)]
+        order += sorted(exercises, key=lambda name: int(name.rsplit("-", 1)[1]))
     return order + [name for name in AFTER if name in there]
 
 

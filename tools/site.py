@@ -169,6 +169,8 @@ class Site:
 
 def main():
     book, to = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
+    if to == book or to in book.parents or book in to.parents or (to.exists() and any(to.iterdir()) and not (to / "index.html").is_file()):
+        sys.exit("site.py: %s is no folder of a site: name a new or an empty one" % to)
     site = Site(book)
     size = site.check()
     for line in site.bad[:200]:

@@ -88,6 +88,7 @@ class Formulas(unittest.TestCase):
         self.shows("x_i^2", "<msubsup><mi>x</mi><mi>i</mi><mrow><mn>2</mn></mrow></msubsup>")
         self.shows("\\tfrac12", "<mfrac><mn>1</mn><mn>2</mn></mfrac>")
         self.shows("\\min_x f", "<munder>", 'movablelimits="true"')
+        self.shows("\\sqrt[3]{x}", "<mroot><mrow><mi>x</mi></mrow><mrow><mn>3</mn></mrow></mroot>")
         self.shows("g'", "<mi>g</mi><mo", "′")
         self.shows("\\begin{pmatrix} 1 & 2 \\\\ 3 & 4 \\end{pmatrix}", "<mtr><mtd><mn>1</mn></mtd><mtd><mn>2</mn></mtd></mtr><mtr>")
         self.shows("\\text{if } a", "<mtext>if\u00a0</mtext>")
@@ -130,6 +131,7 @@ class Texts(unittest.TestCase):
         said = text.blocks(["chapters 1, 4 and 5, or exercises 1.1 and 1.2, not chapter 1 and 5"])
         self.assertEqual(re.sub(r' class="ref"', "", said), '<p><a href="chapter-01.html">chapters 1</a>, 4 and 5, or exercises 1.1 and '
                          '<a href="exercise-01-2.html">1.2</a>, not <a href="chapter-01.html">chapter 1</a> and 5</p>')
+        self.assertIn('href="https://a.org/1(2)3-X"', self.html("[x](https://a.org/1(2)3-X)"))
         said = text.blocks(["`solve_all()`"])
         self.assertIn('<a class="fn" href="source-papers-thing-hpp.html#solve_all">', said)
 

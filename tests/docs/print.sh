@@ -18,7 +18,7 @@ cat > book/figures/hatch.svg << 'END'
 <path style="fill:none; stroke:#222222" d="M-4,0 L8,12"/></pattern></defs><polygon fill="url(#p)" points="10,10 470,10 470,80 10,80"/></svg>
 END
 lines=$(yes '<p>One line after another.</p>' | head -n 90)
-page index Signorini '<p class="lead">A book.</p>'
+page index Signorini '<p class="lead">A book.</p><a href="chapter-01.html">1</a><a href="chapter-02.html">2</a>'
 page use Book '<p>About it.</p><h2 id="commands">Commands</h2><p>make</p><h2 id="more">More</h2><p>left out</p>'
 page chapter-01 "1 One" "<p>The gap <math><msub><mi>g</mi><mn>0</mn></msub></math>, <a href=\"chapter-02.html#late\">later</a>, <a href=\"use.html#more\">more</a>, \
 <a href=\"gone_8hpp.html\">a header</a>.</p><figure class=\"picture\"><img src=\"figures/hatch.svg\" alt=\"hatch\"></figure>"

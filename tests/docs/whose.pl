@@ -40,10 +40,12 @@ sub in_words {
     return $done . $do->(substr $text, $from);
 }
 
-my %home;    # equation -> file that has its anchor
+my %paper_of;    # chapter -> letter of its paper
+for (split /\n/, slurp('docs/parts')) { if (/^paper (\w) \w+: (\d+)-(\d+)/) { $paper_of{$_} = $1 for $2 .. $3 } }
+my %home;        # equation -> file that has its anchor
 for my $file (sort glob 'chapters/ch[0-9][0-9]_*/README.md') {
     my ($chapter) = $file =~ /ch(\d\d)_/;
-    my $of = $chapter <= 7 ? 'A' : 'B';
+    my $of = $paper_of{ $chapter + 0 } // next;
     my $text = slurp($file);
     $home{"$of $1"} //= $file while $text =~ /<a id="eq-(\d+)">/g;
 }

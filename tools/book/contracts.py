@@ -8,6 +8,8 @@ import re
 import sys
 from pathlib import Path
 
+sys.dont_write_bytecode = True    # no __pycache__ beside the tools
+
 import cxx
 from inline import ENTRY, LINK, PAPER, Inline
 from shelf import Book
@@ -89,5 +91,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.dont_write_bytecode = True
     main()

@@ -11,7 +11,7 @@ from tex import FormulaError, escaped, formula
 CODE = re.compile(r"(?<!`)(`+)(?!`)(.+?)(?<!`)\1(?!`)")
 TICKED = re.compile(r"\$`(.+?)`\$")
 DOLLARS = re.compile(r"(?<![\\\w$])\$(?![\s$])((?:\\.|[^\\$])*?(?:\\.|[^\\$\s]))\$(?![\w$])")
-LINK = re.compile(r"(?<!!)\[((?:[^\[\]]|\[[^\]]*\])+)\]\(([^)\s]+)\)")
+LINK = re.compile(r"(?<!!)\[((?:[^\[\]]|\[[^\]]*\])+)\]\(((?:[^()\s]|\([^()\s]*\))+)\)")
 TAG = re.compile(r"</?(?:sub|sup|br|kbd|em|b|i)\b[^>]*>")
 UNIT = re.compile(r"(?<=[\d\0]) (?=(?:[kM]?N|[ckµ]?m|mm|[MG]Pa|%|ms|s|MB|GB|°)(?:[/²\s.,;:)]|$))")
 PAPER = re.compile(r"\\PaperEq\{\s*(\w+)\s*,\s*([^}]*?)\s*\}")

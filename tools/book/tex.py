@@ -184,7 +184,12 @@ class Formula:
         return "mo", '<mo rspace="0">%s</mo>' % escaped(self.words())
 
     def read_sqrt(self):
-        return "ord", "<msqrt>%s</msqrt>" % self.argument()
+        if self.peek() != "[":
+            return "ord", "<msqrt>%s</msqrt>" % self.argument()
+        self.take()
+        index = "<mrow>%s</mrow>" % self.row("]")
+        self.take()
+        return "ord", "<mroot>%s%s</mroot>" % (self.argument(), index)
 
     def read_mathbb(self):
         letter = self.words()
