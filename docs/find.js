@@ -73,6 +73,7 @@
       .sort((a, b) => b[0] - a[0]).slice(0, 30);
     const exact = best(true), found = exact.length ? exact : best(false);
     hits.replaceChildren(...found.map(([, row]) => entry(row, words)));
+    document.getElementById("book-side").scrollTop = 0;
     count.textContent = !exact.length ? "Nothing has all of these words" + (found.length ? "; these have some:" : ".") :
       found.length === 1 ? "1 place" : found.length < 30 ? `${found.length} places` : "the first 30 places";
   }

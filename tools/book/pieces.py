@@ -29,9 +29,10 @@ def fence(text, code, language):
     anchor, source, text.source = text.take_anchor(), text.source, ""
     if language == "math":
         mathml, tag = text.inline.math(code, True)
+        number = " ".join(filter(None, [text.book.paper_of(text.page) if tag and tag.isdigit() else "", tag]))
         wide = signs(mathml) - 0.5 * len(re.findall("<msu[bp]", mathml)) + 3 * code.count("qquad") > 42
-        return '<div class="eq%s"%s><div class="scroll">%s</div>%s</div>' % (
-            " wide" if wide else "", attribute("id", anchor), mathml, '<a class="tag" href="#%s">(%s)</a>' % (anchor, tag) if tag else "")
+        link = '<a class="tag" href="#%s">(%s)</a>' % (anchor, number) if tag else ""
+        return '<div class="eq%s"%s><div class="scroll">%s</div>%s</div>' % (" wide" if wide else "", attribute("id", anchor), mathml, link)
     head = '<figcaption><a href="%s">%s</a></figcaption>' % (
         text.book.href(text.page, source), os.path.basename(source)) if source else ""
     columns = max(map(len, code.split("\n")))

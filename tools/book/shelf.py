@@ -97,6 +97,10 @@ class Book:
         m = re.match(r"(?:chapter-|exercise-|chapters/ch)(\d\d)", page)
         return int(m[1]) if m else None
 
+    def paper_of(self, page):
+        """The letter of the paper whose equations a page has, or nothing."""
+        return next((letter for letter, _, inside in self.papers if self.chapter_of(page) in inside), "")
+
     def part_of(self, page):
         chapter = self.chapter_of(page)
         return next((name for name, inside in self.parts if chapter in inside), "")
