@@ -137,7 +137,7 @@ TEST_CASE("a ratio counts by its sign, and by its size from a tenth to ten times
 // The table of the chapter, on a tenth of its programmes.
 TEST_CASE("shares of a size are those of a run again, and only stopped weights have the sign",
           "[readings]") {
-  ch05::Counts stopped, loop, again;
+  ch05::Counts stopped, loop;
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     const std::vector<double> ratios = ch05::deviations(rosen_suzuki(20, 20, seed));
     REQUIRE(ratios.size() == 11);
