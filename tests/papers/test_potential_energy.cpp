@@ -62,6 +62,10 @@ TEST_CASE("of displacements that do not overlap, that of the solution has the le
     Eigen::VectorXd w = u;
     for (double& entry : w) entry += 0.01 * random.uniform(-1, 1);
     w -= programme.A.transpose() * (programme.A * w - programme.initial_gap).cwiseMax(0.0);
+    // Rows of A have length 1, each its own node.
+    REQUIRE((programme.A * w - programme.initial_gap).maxCoeff() <= 1e-14);
+    // (A 7): what is left of the load does not pull towards w; rounding of terms of size 1.
+    CHECK((programme.stiffness * u - programme.load).dot(w - u) >= -1e-12);
     CHECK(potential_energy(programme, w) > least);
   }
   CHECK_THROWS_AS(potential_energy(programme, Eigen::VectorXd::Zero(3)), std::invalid_argument);
