@@ -1,4 +1,4 @@
-# Figure 19.2 - five methods over six decades of their parameters: error, condition number, linear solves.
+# Figure 19.2 - five methods over six decades of their parameters: error, condition number, passes.
 # In: fig_19_2_penalty.csv, fig_19_2_uzawa.csv, fig_19_2_augmented.csv, fig_19_2_nitsche.csv, fig_19_2_active.csv
 # Out: fig_19_2.svg
 width = 640; height = 900
@@ -39,14 +39,14 @@ plot active using 'parameter':'condition' with lines ls 7, \
      nitsche using 'parameter':'condition' with linespoints ls 4
 set tmargin at screen 0.395
 set bmargin at screen 0.205
-set ylabel 'linear solves'
+set ylabel 'passes'
 set yrange [1:5000]
 set format x "10^{%T}"
 set xlabel 'parameter, in E over the size of a cell'
 set key at screen 0.06,0.02 left bottom maxrows 3 samplen 2.5 noopaque
-plot active using 'parameter':'solves' with lines ls 7 title 'active set', \
-     penalty using 'parameter':'solves' with linespoints ls 1 title 'penalty', \
-     uzawa using 'parameter':'solves' with linespoints ls 2 title 'Uzawa', \
-     augmented using 'parameter':'solves' with linespoints ls 3 title 'augmented Lagrangian', \
-     nitsche using 'parameter':'solves' with linespoints ls 4 title 'Nitsche'
+plot active using 'parameter':'passes' with lines ls 7 title 'active set', \
+     penalty using 'parameter':'passes' with linespoints ls 1 title 'penalty', \
+     uzawa using 'parameter':'passes' with linespoints ls 2 title 'Uzawa', \
+     augmented using 'parameter':'passes' with linespoints ls 3 title 'augmented Lagrangian', \
+     nitsche using 'parameter':'passes' with linespoints ls 4 title 'Nitsche'
 unset multiplot

@@ -53,6 +53,7 @@ inline Shape shape(double xi, double eta) {
 }
 // [shape]
 
+/// \param E  [N/mm^2] \param nu  [-] \return D: (xx, yy, xy) of the stress [N/mm^2] = D (xx, yy, 2 xy) of the strain
 inline Matrix3d plane_stress(double E, double nu) {
   Matrix3d D;
   D << 1, nu, 0, /**/ nu, 1, 0, /**/ 0, 0, (1 - nu) / 2;
@@ -106,7 +107,7 @@ inline SparseMatrix assemble(const Mesh& mesh, const Matrix3d& D) {
 
 // [solve]
 using Held = std::map<Index, double>;  // unknown 2 node + axis, its displacement [mm]
-
+/// \param K  positive definite where nothing holds [N/mm] \param load  [N] \param held  the others are free \return u of all [mm]
 inline VectorXd solve(const SparseMatrix& K, const VectorXd& load, const Held& held) {
   VectorXd u = VectorXd::Zero(load.size());
   for (const auto& [unknown, displacement] : held) u(unknown) = displacement;
@@ -120,6 +121,7 @@ inline VectorXd solve(const SparseMatrix& K, const VectorXd& load, const Held& h
 }
 // [solve]
 
+/// \param side  its nodes, in walking order \param fx, fy  on a unit of its length [N/mm] \return on all unknowns [N]
 // [load]
 inline VectorXd side_load(const Mesh& mesh, const std::vector<Index>& side, double fx, double fy) {
   VectorXd load = VectorXd::Zero(2 * mesh.nodes.rows());

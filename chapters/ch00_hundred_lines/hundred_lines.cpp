@@ -1,8 +1,7 @@
 // Chapter 0 - A block of rubber that is held at its left side and pulled down at its right one.
 // Run:  make ch00     Reads: nothing     Writes: ch00.results, bracket.md, fig_0_3.csv,
 //      fig_0_3_before.csv
-#include "finite_elements.hpp"
-#include "signorini/core/table.hpp"
+#include "outline.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/report/results.hpp"
 
@@ -38,7 +37,7 @@ Bracket bracket(Index across, Index up) {
 }
 // [bracket]
 
-// How far the middle of the right side goes down.
+// How far the middle of the right side goes down, of a block with an even number of cells up [mm].
 double tip(const Bracket& now, Index across, Index up) {
   return -now.u(2 * (up / 2 * (across + 1) + across) + 1);
 }
@@ -47,16 +46,6 @@ double tip(const Bracket& now, Index across, Index up) {
 double tip_of_beam() {
   const double I = std::pow(height, 3) / 12, G = E / (2 * (1 + nu));
   return pull * std::pow(length, 3) / (3 * E * I) + pull * length / (5.0 / 6 * G * height);
-}
-
-std::string outline(const ch00::Mesh& mesh, const Points& places) {
-  Table lines({"x", "y"});
-  for (const auto& cell : mesh.cells.rowwise()) {
-    for (const Index corner : {0, 1, 2, 3, 0})
-      lines.row({places(cell(corner), 0), places(cell(corner), 1)});
-    lines.blank_line();
-  }
-  return lines.csv();
 }
 
 SolveStatus chapter(const ProgramOptions& run) {
@@ -69,9 +58,7 @@ SolveStatus chapter(const ProgramOptions& run) {
                number(double(now.u.size() - 2 * (up + 1))), number(down, "%.4f"),
                number(100 * (1 - down / tip_of_beam()), "%.1f")});
     if (up == 4) {
-      const Points moved = now.mesh.nodes + Eigen::Map<const Eigen::Matrix<double, -1, 2, 1>>(
-                                                now.u.data(), now.mesh.nodes.rows(), 2);
-      write_file(run.out / "fig_0_3.csv", outline(now.mesh, moved));
+      write_file(run.out / "fig_0_3.csv", outline(now.mesh, moved(now.mesh, now.u)));
       write_file(run.out / "fig_0_3_before.csv", outline(now.mesh, now.mesh.nodes));
       results.add("tip_coarse", down, "mm");
     }

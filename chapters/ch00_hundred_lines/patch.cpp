@@ -1,7 +1,7 @@
 // Chapter 0 - The patch test, and the same matrix from the library.
 // Run:  make ch00     Reads: nothing     Writes: ch00_patch.results, fig_0_4.csv, fig_0_4_after.csv
+#include "outline.hpp"
 #include "patch_test.hpp"
-#include "signorini/core/table.hpp"
 #include "signorini/fem/assembly.hpp"
 #include "signorini/fem/block.hpp"
 #include "signorini/fem/elements.hpp"
@@ -12,18 +12,6 @@ namespace {
 
 using namespace ch00;
 using namespace signorini;
-
-std::string outline(const ch00::Mesh& mesh, const VectorXd& u) {
-  Table lines({"x", "y"});
-  for (const auto& cell : mesh.cells.rowwise()) {
-    for (const Index corner : {0, 1, 2, 3, 0}) {
-      const Index node = cell(corner);
-      lines.row({mesh.nodes(node, 0) + u(2 * node), mesh.nodes(node, 1) + u(2 * node + 1)});
-    }
-    lines.blank_line();
-  }
-  return lines.csv();
-}
 
 // The library's K of the same cells: no unknown is held, and both number x, y of node 0, 1, ...
 SparseMatrix of_library(const ch00::Mesh& mesh, double E, double nu) {
@@ -39,8 +27,8 @@ SolveStatus chapter(const ProgramOptions& run) {
   const Matrix3d D = plane_stress(10, 0.3);
   const Matrix2d F = (Matrix2d() << 0.10, 0.06, /**/ 0.02, -0.05).finished();
   const VectorXd u = patch_test(mesh, D, F);
-  write_file(run.out / "fig_0_4.csv", outline(mesh, VectorXd::Zero(u.size())));
-  write_file(run.out / "fig_0_4_after.csv", outline(mesh, u));
+  write_file(run.out / "fig_0_4.csv", outline(mesh, mesh.nodes));
+  write_file(run.out / "fig_0_4_after.csv", outline(mesh, moved(mesh, u)));
   results.add("patch_error", patch_error(mesh, u, F), "mm", Repeats::No);
   const SparseMatrix K = ch00::assemble(mesh, D), theirs = of_library(mesh, 10, 0.3);
   results.add("entries", double(K.nonZeros()), "-");

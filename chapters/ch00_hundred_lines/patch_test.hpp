@@ -1,5 +1,7 @@
 // Chapter 0 - The patch test: cells of any shape carry a uniform strain exactly.
 #pragma once
+#include <algorithm>
+
 #include "finite_elements.hpp"
 
 namespace ch00 {

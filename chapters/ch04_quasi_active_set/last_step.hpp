@@ -11,9 +11,10 @@ struct LastStep {
 };
 
 // [last step]
-inline LastStep last_step(const exact::Programme& q, const exact::Vector& u) {
+inline LastStep last_step(const exact::Programme& q, const exact::Vector& u,
+                          const exact::Set& tight) {
   LastStep step;
-  step.next = closest(q, rows_with(q, u, 0), q.p);  // (33)
+  step.next = closest(q, tight, q.p);  // (33)
   const exact::Vector way = exact::along(step.next.u, -1, u);
   for (const std::size_t i : rows_with(q, step.next.u, -1)) {
     const exact::Fraction ratio = gap(q, i, u) / dot(q.A[i], way);  // (34)
@@ -23,5 +24,10 @@ inline LastStep last_step(const exact::Programme& q, const exact::Vector& u) {
   return step;
 }
 // [last step]
+
+/// With the rows that have no gap at u, exactly.
+inline LastStep last_step(const exact::Programme& q, const exact::Vector& u) {
+  return last_step(q, u, rows_with(q, u, 0));
+}
 
 }  // namespace ch04

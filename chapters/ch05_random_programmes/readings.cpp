@@ -15,13 +15,14 @@
 namespace {
 
 using namespace ch05;
-const std::vector<const char*> keys = {"letter", "all",  "number",  "overlap",  "most",  "once",
-                                       "met",    "loop", "hundred", "thousand", "search"};
+// Of a problem with one pair, for their names.
+const std::vector<MethodReading> readings =
+    method_readings({Eigen::MatrixXd::Identity(1, 1), VectorXd::Constant(1, -1)});
 
 // 1. Every reading on every programme of one size: the ratio of table 1 less one.
 std::vector<std::vector<double>> run_all(Draw draw, const reference::RandomProgramme& line,
                                          std::uint64_t seeds) {
-  std::vector<std::vector<double>> found(keys.size());
+  std::vector<std::vector<double>> found(readings.size());
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
     const std::vector<double> one = deviations(draw(line.n, line.m, seed));
     for (std::size_t i = 0; i < found.size(); ++i) found[i].push_back(one[i]);
@@ -31,8 +32,8 @@ std::vector<std::vector<double>> run_all(Draw draw, const reference::RandomProgr
 
 // 2. All sizes: counts of each reading, a row for each size, and what figure 5.4 shows.
 struct Outcome {
-  std::vector<Counts> counts = std::vector<Counts>(keys.size());
-  std::vector<double> right_lines = std::vector<double>(keys.size());  // more than half as printed
+  std::vector<Counts> counts = std::vector<Counts>(readings.size());
+  std::vector<double> right_lines = std::vector<double>(readings.size());  // more than half as printed
 };
 
 Outcome all_sizes(const char* name, Draw draw, std::uint64_t seeds, Table& by_size, Table& curve) {
@@ -41,7 +42,7 @@ Outcome all_sizes(const char* name, Draw draw, std::uint64_t seeds, Table& by_si
   for (const reference::RandomProgramme& line : reference::table_1) {
     const auto found = run_all(draw, line, seeds);
     std::vector<double> row = {place++, line.ratio - 1};
-    for (std::size_t i = 0; i < keys.size(); ++i) {
+    for (std::size_t i = 0; i < readings.size(); ++i) {
       Counts here;
       for (const double own : found[i]) {
         here.add(line.ratio - 1, own);
@@ -49,7 +50,7 @@ Outcome all_sizes(const char* name, Draw draw, std::uint64_t seeds, Table& by_si
       }
       outcome.right_lines[i] += here.percent(here.both) > 50 ? 1 : 0;
       for (const double share : {0.1, 0.5, 0.9}) row.push_back(at_share(found[i], share));
-      by_size.row({name, text(line.n, ", ", line.m), number(line.ratio - 1, "%+.1e"), keys[i],
+      by_size.row({name, text(line.n, ", ", line.m), number(line.ratio - 1, "%+.1e"), readings[i].key,
                    number(here.above, "%.0f"), number(here.none, "%.0f"),
                    number(here.below, "%.0f"), number(at_share(found[i], 0.5), "%+.0e")});
     }
@@ -60,8 +61,8 @@ Outcome all_sizes(const char* name, Draw draw, std::uint64_t seeds, Table& by_si
 
 std::vector<std::string> columns() {
   std::vector<std::string> names = {"place", "paper"};
-  for (const std::string key : keys)
-    for (const char* share : {"_10", "_50", "_90"}) names.push_back(key + share);
+  for (const MethodReading& reading : readings)
+    for (const char* share : {"_10", "_50", "_90"}) names.push_back(reading.key + share);
   return names;
 }
 
@@ -78,15 +79,13 @@ SolveStatus chapter(const ProgramOptions& run) {
   write_file(run.out / "fig_5_4_whole.csv", other.csv("rel 1e-3 abs 1e-9"));
 
   Table shares({"reading", "sign", "size", "both", "whole numbers: sign", "size", "both"});
-  const std::vector<MethodReading> readings = method_readings(ContactProblem{
-      Eigen::MatrixXd::Identity(1, 1), VectorXd::Constant(1, -1)});  // for their names
-  for (std::size_t i = 0; i < keys.size(); ++i) {
+  for (std::size_t i = 0; i < readings.size(); ++i) {
     std::vector<std::string> row = {readings[i].name};
     for (const Counts& counts : {ours.counts[i], whole.counts[i]})
       for (const double count : {counts.sign, counts.size, counts.both})
         row.push_back(number(counts.percent(count), "%.0f"));
     shares.row(row);
-    const std::string key = keys[i];
+    const std::string& key = readings[i].key;
     results.add(key + "_above", ours.counts[i].percent(ours.counts[i].above), "%");
     results.add(key + "_below", ours.counts[i].percent(ours.counts[i].below), "%");
     results.add(key + "_both", ours.counts[i].percent(ours.counts[i].both), "%");

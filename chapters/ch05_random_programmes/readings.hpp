@@ -1,6 +1,9 @@
 // Ratios of energies as in table 1: that of each reading of the method over the least, and how they compare with one that is printed.
 #pragma once
 #include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
 
 #include "judge.hpp"
 #include "papers/method_readings.hpp"

@@ -12,6 +12,9 @@
 
 namespace signorini {
 
+/// What the paper prints below its table 2, after 16 steps [N, mm].
+inline constexpr double printed_residual = 6.13e-9;
+
 /// What the paper leaves open, and a change to J that makes it regular.
 struct PrintedEquations {
   double unit = 1;      // a pressure counts as this much gap [mm/MPa]; as printed 1
@@ -29,7 +32,7 @@ struct PrintedRun {
   /// \return steps until the residual is at most that which the paper prints; -1 if none is
   [[nodiscard]] int steps() const {
     for (std::size_t k = 0; k < residuals.size(); ++k)
-      if (residuals[k] <= 6.13e-9) return static_cast<int>(k);
+      if (residuals[k] <= printed_residual) return static_cast<int>(k);
     return -1;
   }
 };

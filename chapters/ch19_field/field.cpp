@@ -49,7 +49,7 @@ double condition_of(const Ways& ways, Way way, double parameter, const Answer& a
 
 struct Reading {
   double error, away, condition;  // of the true solution, of the active set, of the matrix
-  Index solves;
+  Index passes;
   bool ended;
   double force;
 };
@@ -59,7 +59,7 @@ Reading read(const Ways& ways, Way way, double parameter) {
   return {ways.fine.error(ways.block, answer.u),
           difference(ways.block, answer.u, ways.exact.u),
           condition_of(ways, way, parameter, answer),
-          answer.solves,
+          answer.passes,
           answer.ended,
           answer.force.sum()};
 }
@@ -67,13 +67,13 @@ Reading read(const Ways& ways, Way way, double parameter) {
 // A row for every parameter at which the method ends and its matrix is positive definite.
 void sweep(const ProgramOptions& run, const Ways& ways, Way way, const std::string& name,
            Results& results) {
-  Table curve({"parameter", "error", "away", "condition", "solves"});
+  Table curve({"parameter", "error", "away", "condition", "passes"});
   double first = 0, last = 0;
   for (int step = -8; step <= 16; ++step) {
     const double parameter = std::pow(10, step / 4.0);
     const Reading now = read(ways, way, parameter);
     if (!now.ended || now.condition <= 0) continue;
-    curve.row({parameter, now.error, now.away, now.condition, double(now.solves)});
+    curve.row({parameter, now.error, now.away, now.condition, double(now.passes)});
     if (first == 0) first = parameter;
     last = parameter;
   }
@@ -99,14 +99,14 @@ void limits(const Ways& ways, Results& results) {
 
 Table compare(const Ways& ways) {
   Table table({"method and parameter", "error [%]", "from the active set [%]", "condition",
-               "linear solves", "total force [N]"});
+               "passes", "total force [N]"});
   const auto row = [&](const std::string& name, const Reading& now) {
     table.row({name, number(100 * now.error, "%.1f"), number(100 * now.away, "%.3f"),
-               number(now.condition, "%.0f"), number(double(now.solves)),
+               number(now.condition, "%.0f"), number(double(now.passes)),
                number(now.force, "%.3f")});
   };
   row("active set", {ways.fine.error(ways.block, ways.exact.u), 0, condition(ways.block.K),
-                     ways.exact.solves, true, ways.exact.force.sum()});
+                     ways.exact.passes, true, ways.exact.force.sum()});
   for (const double parameter : {1.0, 10.0, 1000.0})
     row("penalty, " + number(parameter), read(ways, Way::Penalty, parameter));
   row("Uzawa, 0.2", read(ways, Way::Uzawa, 0.2));
@@ -125,9 +125,9 @@ SolveStatus chapter(const ProgramOptions& run) {
   sweep(run, ways, Way::Augmented, "augmented", results);
   sweep(run, ways, Way::Nitsche, "nitsche", results);
   const double error = ways.fine.error(ways.block, ways.exact.u);
-  Table line({"parameter", "error", "condition", "solves"});
+  Table line({"parameter", "error", "condition", "passes"});
   for (const double parameter : {1e-2, 1e4})
-    line.row({parameter, error, condition(ways.block.K), double(ways.exact.solves)});
+    line.row({parameter, error, condition(ways.block.K), double(ways.exact.passes)});
   write_file(run.out / "fig_19_2_active.csv", line.csv("rel 1e-4 abs 1e-11"));
   limits(ways, results);
   results.add("error", 100 * error, "%");

@@ -11,9 +11,10 @@ namespace {
 
 using namespace ch19;
 
-const double stiff = rubber.youngs_modulus / (1 - 0.3 * 0.3) / height;  // of the block [N/mm^3]
-const double overlap = -flat_gap(0);                                    // without contact [mm]
-const double pressure = overlap * stiff;                                // of the solution [N/mm^2]
+const double nu = rubber.poisson_ratio;
+const double stiff = rubber.youngs_modulus / (1 - nu * nu) / height;  // of the block [N/mm^3]
+const double overlap = -flat_gap(0);                                  // without contact [mm]
+const double pressure = overlap * stiff;                              // of the solution [N/mm^2]
 
 // The pressure over that of the solution; it is uniform.
 double share(const Answer& answer) { return answer.force.sum() / (pressure * width); }
@@ -29,7 +30,7 @@ void passes(const ProgramOptions& run, const Pressed& block, const MatrixXd& G) 
   write_file(run.out / "fig_19_1.csv", curve.csv());
 }
 
-// 2. Penetration of the penalty, beside p / epsilon; the largest error of Nitsche's method.
+// 2. Penetration of the penalty, beside p / epsilon.
 Table penetrations(const Pressed& block, Results& results) {
   Table table({"stiffness over that of the block", "pressure [N/mm²]", "penetration [mm]",
                "pressure over stiffness [mm]"});
@@ -43,11 +44,15 @@ Table penetrations(const Pressed& block, Results& results) {
     worst = std::max(worst, std::abs(depth * times * stiff / p - 1));
   }
   results.add("penalty_off", worst, "-", Repeats::No);
-  worst = 0;
+  return table;
+}
+
+// 3. The largest error of the pressure by Nitsche's method, from just above its bound.
+double nitsche_off(const Pressed& block) {
+  double worst = 0;
   for (const double times : {1.01, 10.0, 1000.0})
     worst = std::max(worst, std::abs(share(nitsche(block, times * inverse_inequality(block))) - 1));
-  results.add("nitsche_off", worst, "-", Repeats::No);
-  return table;
+  return worst;
 }
 
 SolveStatus chapter(const ProgramOptions& run) {
@@ -56,6 +61,7 @@ SolveStatus chapter(const ProgramOptions& run) {
   const MatrixXd G = compliance(block);
   passes(run, block, G);
   const Table table = penetrations(block, results);
+  results.add("nitsche_off", nitsche_off(block), "-", Repeats::No);
   results.add("stiff", stiff, "N/mm^3");
   results.add("pressure", active_set(block, G).force.sum() / width, "N/mm^2");
   std::cout << table.markdown();

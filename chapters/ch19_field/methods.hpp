@@ -12,7 +12,7 @@ using Sets = Eigen::Array<bool, Eigen::Dynamic, 1>;
 struct Answer {
   VectorXd u;        // of all unknowns [mm]
   VectorXd force;    // on each node of the base; of Nitsche's method on each Gauss point [N]
-  Index solves = 0;  // systems with a matrix of the body's size
+  Index passes = 0;  // a factor of the body's size each, of G_WW for the active set, a product with G for Uzawa
   bool ended = false;
 };
 
@@ -22,7 +22,7 @@ const Index most_passes = 20000;
 inline Answer active_set(const Pressed& block, const MatrixXd& G) {
   Answer now;
   Sets closed = block.free_gap.array() < 0;
-  while (!now.ended && now.solves < 100) {
+  while (!now.ended && now.passes < 100) {
     std::vector<Index> W;
     for (Index i = 0; i < closed.size(); ++i)
       if (closed(i)) W.push_back(i);
@@ -32,7 +32,7 @@ inline Answer active_set(const Pressed& block, const MatrixXd& G) {
     Sets next = now.force.array() > 0;
     for (Index i = 0; i < closed.size(); ++i)
       if (!closed(i)) next(i) = gap(i) < 0;
-    ++now.solves;
+    ++now.passes;
     now.ended = (next == closed).all();
     closed = next;
   }
@@ -47,7 +47,7 @@ inline Answer pressed_on_springs(const Pressed& block, double stiffness, const V
   Answer now;
   const VectorXd k = stiffness * block.weight;  // of each spring [N/mm]
   Sets pressing = (force - k.cwiseProduct(block.free_gap)).array() > 0;
-  while (!now.ended && now.solves < 100) {
+  while (!now.ended && now.passes < 100) {
     SparseMatrix K = block.K;
     VectorXd load = VectorXd::Zero(K.rows());
     for (Index i = 0; i < k.size(); ++i)
@@ -58,7 +58,7 @@ inline Answer pressed_on_springs(const Pressed& block, double stiffness, const V
     now.u = Eigen::SimplicialLDLT<SparseMatrix>(K).solve(load);
     now.force = force - k.cwiseProduct(block.free_gap + opening(block, now.u));
     const Sets next = now.force.array() > 0;
-    ++now.solves;
+    ++now.passes;
     now.ended = (next == pressing).all();
     pressing = next;
   }
@@ -77,7 +77,7 @@ inline Answer augmented_lagrangian(const Pressed& block, double stiffness,
   Answer now{{}, VectorXd::Zero(block.free_gap.size())};
   for (Index pass = 0; !now.ended && pass < most; ++pass) {
     Answer next = pressed_on_springs(block, stiffness, now.force);
-    next.solves += now.solves;
+    next.passes += now.passes;
     next.ended = (next.force - now.force).norm() <= 1e-10 * next.force.norm();
     now = next;
   }
@@ -90,12 +90,12 @@ inline Answer uzawa(const Pressed& block, const MatrixXd& G, double step,
                     Index most = most_passes) {
   Answer now{{}, VectorXd::Zero(block.free_gap.size())};
   const VectorXd k = step * block.weight;
-  while (!now.ended && now.solves < most) {
-    const VectorXd gap = block.free_gap + G * now.force;  // one solve with the factor of K
+  while (!now.ended && now.passes < most) {
+    const VectorXd gap = block.free_gap + G * now.force;  // or one solve with the factor of K
     const VectorXd next = (now.force - k.cwiseProduct(gap)).cwiseMax(0);
     now.ended = (next - now.force).norm() <= 1e-10 * next.norm();
     now.force = next;
-    ++now.solves;
+    ++now.passes;
   }
   now.u = Eigen::SimplicialLDLT<SparseMatrix>(block.K).solve(on_base(block, now.force));
   return now;
@@ -134,7 +134,7 @@ inline Answer nitsche(const Pressed& block, double gamma) {
   Answer now;
   Sets pressing(Index(points.size()));
   for (std::size_t i = 0; i < points.size(); ++i) pressing(Index(i)) = points[i].free_gap < 0;
-  while (!now.ended && now.solves < 100) {
+  while (!now.ended && now.passes < 100) {
     const Eigen::SparseLU<SparseMatrix> factor(nitsche_matrix(block, points, gamma, pressing));
     now.u = factor.solve(nitsche_load(block, points, gamma, pressing));
     now.force.resize(Index(points.size()));
@@ -145,7 +145,7 @@ inline Answer nitsche(const Pressed& block, double gamma) {
           at.weight * (at.pressure.dot(u) - gamma * (at.free_gap + at.opening.dot(u)));
     }
     const Sets next = now.force.array() > 0;
-    ++now.solves;
+    ++now.passes;
     now.ended = (next == pressing).all();
     pressing = next;
   }

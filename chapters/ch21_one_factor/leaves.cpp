@@ -1,5 +1,6 @@
 // Chapter 21 - Where condensing loses: a spring of more and more leaves.
 // Run:  make ch21     Reads: nothing     Writes: ch21_leaves.results, fig_21_4.csv
+#include <cmath>
 #include <iostream>
 
 #include "papers/saddle_point_newton.hpp"

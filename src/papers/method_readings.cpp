@@ -95,18 +95,18 @@ std::vector<MethodReading> method_readings(const ContactProblem& problem) {
   };
   const QuasiActiveRun once = run(Rows::AllViolated, QuasiActivePool::UnusedPairs);
   return {
-      {"(28) to the letter", stopped_weights(problem, WeightRule::LiteralVertex, 1000)},
-      {"loop, all violated rows", force_of(Rows::AllViolated)},
-      {"loop, independent by number", by_number.state.force},
-      {"loop, independent by overlap", force_of(Rows::IndependentByViolation)},
-      {"loop, the most violated row",
+      {"letter", "(28) to the letter", stopped_weights(problem, WeightRule::LiteralVertex, 1000)},
+      {"all", "loop, all violated rows", force_of(Rows::AllViolated)},
+      {"number", "loop, independent by number", by_number.state.force},
+      {"overlap", "loop, independent by overlap", force_of(Rows::IndependentByViolation)},
+      {"most", "loop, the most violated row",
        run(Rows::MostViolated, QuasiActivePool::AllPairs).state.force},
-      {"loop, each row once, (34) as printed", once.state.force},
-      {"loop, each row once, (34) for rows it meets", last_step_to_open_pairs(problem, once)},
-      {"loop, 2/(k+2), 1000 steps each", loop_of_stopped_weights(problem, 1000, 1e-4)},
-      {"weights, 2/(k+2), 100 steps", stopped_weights(problem, WeightRule::Harmonic, 100)},
-      {"weights, 2/(k+2), 1000 steps", stopped_weights(problem, WeightRule::Harmonic, 1000)},
-      {"weights, line search, 1000 steps", stopped_weights(problem, WeightRule::LineSearch, 1000)}};
+      {"once", "loop, each row once, (34) as printed", once.state.force},
+      {"met", "loop, each row once, (34) for rows it meets", last_step_to_open_pairs(problem, once)},
+      {"loop", "loop, 2/(k+2), 1000 steps each", loop_of_stopped_weights(problem, 1000, 1e-4)},
+      {"hundred", "weights, 2/(k+2), 100 steps", stopped_weights(problem, WeightRule::Harmonic, 100)},
+      {"thousand", "weights, 2/(k+2), 1000 steps", stopped_weights(problem, WeightRule::Harmonic, 1000)},
+      {"search", "weights, line search, 1000 steps", stopped_weights(problem, WeightRule::LineSearch, 1000)}};
 }
 
 }  // namespace signorini

@@ -39,8 +39,9 @@ namespace signorini {
 [[nodiscard]] Eigen::VectorXd last_step_to_open_pairs(const ContactProblem& problem,
                                                       const QuasiActiveRun& run);
 
-/// A reading of the method: its name, and the forces at its end.
+/// A reading of the method: its names, and the forces at its end.
 struct MethodReading {
+  std::string key;        ///< one word, for names of results
   std::string name;       ///< as in the tables of the book
   Eigen::VectorXd force;  ///< `n_c` [force]
 };

@@ -1,4 +1,5 @@
 // Exact fractions beside the printed method in floating point: the same points in every step.
+#include "../chapters/ch04_quasi_active_set/last_step.hpp"
 #include "catch_compat.hpp"
 #include "papers/quasi_active_set_literal.hpp"
 #include "signorini/solvers/enumerate.hpp"
@@ -91,4 +92,23 @@ TEST_CASE("the first steps of the printed loop are those in fractions, whatever 
     }
   }
   CHECK(followed > 100);
+}
+
+// From u^k = 0, with x - 2y <= 6 the nearer of the two open rows.
+TEST_CASE("(33) with a row that is not closed may end farther from u^0 than with the tight row",
+          "[exact][XuanLi2002-33][XuanLi2002-34][XuanLi2002-35]") {
+  const exact::Programme q = {{{0, 0, 1}, {1, 1, 0}, {1, -2, 0}}, {0, 5, 6}, {10, 0, 1}};
+  const exact::Vector u = {0, 0, 0};
+  const auto squared = [&](const exact::Vector& end) {
+    const exact::Vector off = exact::along(end, -1, q.p);
+    return dot(off, off);
+  };
+  const ch04::LastStep tight = ch04::last_step(q, u);
+  CHECK(exact::text_of(tight.end) == "(5, 0, 0)");
+  CHECK(squared(tight.end).text() == "26");
+  const ch04::LastStep more = ch04::last_step(q, u, {0, 2});
+  CHECK(more.delta.text() == "25/54");
+  CHECK(exact::text_of(more.end) == "(115/27, 20/27, 0)");
+  CHECK(squared(tight.end) < squared(more.end));
+  CHECK(rows_with(q, more.end, -1).empty());
 }

@@ -141,7 +141,9 @@ TEST_CASE(
     whole.reading = NormalTraction::Stress;
     const WholeRun image = newton(whole);
     REQUIRE(image.solved);
-    CHECK(image.residuals.size() == run.residuals.size());
+    // The same steps up to rounding, as fullPivLu() may take another of two equal pivots: perhaps one more, or one less.
+    CHECK(image.residuals.size() <= run.residuals.size() + 1);
+    CHECK(run.residuals.size() <= image.residuals.size() + 1);
     CHECK((image.x.segment(n, 2 * m) + run.x.segment(n, 2 * m)).norm() < 1e-9);
     CHECK((image.x.segment(n + 2 * m, m) - run.x.tail(m)).norm() < 1e-12);
   }
@@ -167,7 +169,7 @@ TEST_CASE(
     "[LinEtAl-31][LinEtAl-37][LinEtAl-42][hertz]") {
   const HertzCase one = example_with(1, false);
   const PrintedRun run = run_as_printed(one, {});
-  REQUIRE(run.residuals.back() < 6.13e-9);
+  REQUIRE(run.residuals.back() < printed_residual);
   CHECK(run.steps() > 0);
   CHECK(run.steps() <= 30);
   const SolvedScene library = signorini::solved(hertz_scene(one), "disc");

