@@ -57,6 +57,7 @@ TEST_CASE("of displacements that do not overlap, that of the solution has the le
   const double least = potential_energy(programme, u);
   CHECK(least > -1.5);  // the wall takes work
   CHECK(least == Approx(lagrangian(programme, u, solution.contact.force)).epsilon(1e-12));
+  const Eigen::VectorXd slope = programme.stiffness * u - programme.load;
   Random random(3);
   for (int sample = 0; sample < 50; ++sample) {
     Eigen::VectorXd w = u;
@@ -64,8 +65,10 @@ TEST_CASE("of displacements that do not overlap, that of the solution has the le
     w -= programme.A.transpose() * (programme.A * w - programme.initial_gap).cwiseMax(0.0);
     // Rows of A have length 1, each its own node.
     REQUIRE((programme.A * w - programme.initial_gap).maxCoeff() <= 1e-14);
-    // (A 7): what is left of the load does not pull towards w; rounding of terms of size 1.
-    CHECK((programme.stiffness * u - programme.load).dot(w - u) >= -1e-12);
+    // (A 7): energy does not fall from u towards w; rounding of terms of size 1.
+    CHECK(slope.dot(w - u) >= -1e-12);
+    // With all gaps as they are there is neither a way down nor up.
+    CHECK(std::abs(slope.dot(w - u - programme.A.transpose() * (programme.A * (w - u)))) <= 1e-12);
     CHECK(potential_energy(programme, w) > least);
   }
   CHECK_THROWS_AS(potential_energy(programme, Eigen::VectorXd::Zero(3)), std::invalid_argument);
