@@ -60,7 +60,9 @@ std::vector<SparseEntries> null_combinations(const std::vector<SparseEntries>& c
   qr.compute(E);
   const Eigen::VectorXi order = qr.colsPermutation().indices();
   const Index rank = qr.rank();
-  const SparseMatrix R = qr.matrixR().topRows(rank);
+  // Its columns are in no order; row by row they are.
+  const Eigen::SparseMatrix<double, Eigen::RowMajor> by_rows = qr.matrixR();
+  const SparseMatrix R = by_rows.topRows(rank);
   std::vector<SparseEntries> all;
   for (Index j = rank; j < unit.size(); ++j) {
     VectorXd factor = R.col(j);

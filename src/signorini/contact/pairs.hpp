@@ -46,8 +46,8 @@ struct Pairs {
   NodeArray moment;
   NodeArray target_moment;  ///< and on the target: friction across a gap turns it too
   std::vector<Eigen::Index>
-      node;  ///< `n_c` source node of each pair, in its own mesh, in a model through all bodies; -1 if none
-  /// Nodes of the source, counted likewise, that face no target and have no pair, in walking order.
+      node;  ///< `n_c` source node of each pair in its own mesh; -1 if it has none
+  /// Nodes of the source that face no target and have no pair, in walking order.
   std::vector<Eigen::Index> unpaired;
 };
 
