@@ -98,6 +98,7 @@ struct SidePoint {
 inline SidePoint side_point(const Pressed& block, Index cell, const GaussPoint& gauss) {
   SidePoint at{};
   const CellNodes corners = cell_nodes(block.mesh, cell);
+  at.opening.setZero();
   const Shape shape = bilinear_shape(gauss.xi, -1);  // the side from corner 0 to corner 1
   StrainMatrix B;
   write_strain_matrix(jacobian(shape, corners).gradient, {}, B);
