@@ -41,7 +41,7 @@ PROBE = r"""(async () => {
   const commas = [];    // after formulas and links, where a line may break
   for (const e of document.querySelectorAll('main :is(p, li, td) :is(math, a, code)')) {
     const next = e.nextSibling ?? e.parentElement.nextSibling;
-    if (next?.nodeType !== 3 || !/^[,.;:)]/.test(next.data)) continue;
+    if (!e.checkVisibility() || next?.nodeType !== 3 || !/^[,.;:)]/.test(next.data)) continue;
     const sign = document.createRange();
     sign.setStart(next, 0);
     sign.setEnd(next, 1);

@@ -35,6 +35,7 @@ class Cuts(unittest.TestCase):
     def test_sentences(self):
         self.assertEqual(cut.sentences("It is $a. B$ long, 3.5 mm. (So it is.) *Then.* `x. Y` ends?"),
                          ["It is $a. B$ long, 3.5 mm.", "(So it is.)", "*Then.*", "`x. Y` ends?"])
+        self.assertEqual(cut.sentences("It says *one. Two.* So it is."), ["It says *one. Two.*", "So it is."])
 
     def test_what_is_told(self):
         text = "First of all a sentence that is long enough to stand on a slide, quite alone, without the next one. Then no more. " \

@@ -9,6 +9,7 @@ import re
 from blocks import Text
 
 MASKED = re.compile(r"`[^`]*`|\$`.*?`\$|\$[^$]*\$|\]\([^)]*\)|<[^>]*>|\([^()]*[^.?!()]\)|\b(?:e\.g|i\.e|cf|No|Fig)\.")
+EMPHASISED = re.compile(r"(?<![\w*])(\*\*?)([^*]+)([^*])\1")
 END = re.compile(r"[.?!][*)]{0,2}(?=\s+[A-Z*`$\[“\"(]|\s*$)")
 LEAD = re.compile(r"(\*\*?)(?=[^\s*])[^*]{2,60}[.?!:]\1(?= )")
 NEW_WORD = re.compile(r"(?<![\w*])\*[a-z][^*]{2,40}\*(?![\w*])")
@@ -28,6 +29,7 @@ def sentences(words):
     """The sentences of a paragraph."""
     words = re.sub(r"<!--.*?-->", "", " ".join(words.split()))
     hidden = MASKED.sub(lambda m: m[0][0] + "x" * (len(m[0]) - 1), words)
+    hidden = EMPHASISED.sub(lambda m: m[1] + "x" * len(m[2]) + m[3] + m[1], hidden)    # ends within emphasis are none
     ends = [m.end() for m in END.finditer(hidden)]
     cuts = [0] + ends + ([len(words)] if not ends or words[ends[-1]:].strip() else [])
     return [words[a:b].strip() for a, b in zip(cuts, cuts[1:]) if words[a:b].strip()]
