@@ -9,7 +9,7 @@
 set -eu
 tools=$(cd "$(dirname "$0")" && pwd)
 
-number() { basename "$1" | sed 's/^ch0*\([0-9]*\)_.*/\1/'; }  # of a chapter, as its figures have it
+number() { basename "$1" | sed 's/^ch0*\([0-9][0-9]*\)_.*/\1/'; }  # of a chapter, as its figures have it
 
 # Copies committed files of a chapter to OUT, for each line "NAME FILE ..." of OUT/left_out.
 copy_committed() { # CHAPTER OUT

@@ -14,7 +14,7 @@ check)
     cd "$(dirname "$0")/.." || exit 2
     known="" folder=""
     for each in chapters/ch*/exercises/ex*; do
-        chapter=$(basename "$(dirname "$(dirname "$each")")" | sed 's/^ch0*\([0-9]*\)_.*/\1/')
+        chapter=$(basename "$(dirname "$(dirname "$each")")" | sed 's/^ch0*\([0-9][0-9]*\)_.*/\1/')
         name=ex$chapter.$(basename "$each" | sed 's/^ex\([0-9]*\)_.*/\1/')
         [ "$name" != "$exercise" ] || folder=$each
         known="$known $name"

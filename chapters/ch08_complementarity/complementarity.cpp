@@ -9,6 +9,7 @@
 #include "problems.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/table.hpp"
+#include "signorini/fem/stress.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/report/results.hpp"
 #include "signorini/solvers/fischer_burmeister.hpp"
@@ -46,9 +47,9 @@ Table two_bodies() {
 
 // 2. What acts on a face of the source, and whether Coulomb's law lets it stick.
 void face(Results& results) {
-  const Eigen::Matrix2d sigma = (Eigen::Matrix2d() << -2, 1, 1, -6).finished();  // [MPa]
-  const Vector2d n(0.6, -0.8);
-  const double along = normal_stress(sigma, n), shear = shear_on(sigma, n).norm();
+  const Eigen::Vector3d sigma(-2, -6, 1);  // sigma_x, sigma_y, tau_xy [MPa]
+  const Traction on = traction(sigma, {0.6, -0.8});
+  const double along = on.normal, shear = on.tangential.norm();
   const double bound = shear_bound(0, 0.3, along);  // no cohesion
   const bool sticks = tangential_case(shear, 0, bound) == TangentialCase::Sticks;
   results.add("normal_stress", along, "MPa");

@@ -29,18 +29,6 @@ inline NormalCase normal_case(double gap, double sigma_n) {
   return gap == 0 && sigma_n == 0 ? NormalCase::Touching : NormalCase::Forbidden;
 }
 
-/// \param sigma  stress \param n  unit normal out of the body
-/// \return sigma_n, tension > 0. \PaperEq{LinEtAl, 5}
-inline double normal_stress(const Eigen::Matrix2d& sigma, const Eigen::Vector2d& n) {
-  return n.dot(sigma * n);
-}
-
-/// \param sigma  stress \param n  unit normal out of the body
-/// \return the shear on the face, a vector along it. \PaperEq{LinEtAl, 7}
-inline Eigen::Vector2d shear_on(const Eigen::Matrix2d& sigma, const Eigen::Vector2d& n) {
-  return sigma.transpose() * n - normal_stress(sigma, n) * n;
-}
-
 /// \param c  cohesion \param mu  friction coefficient \param sigma_n  tension > 0
 /// \return the right side of (6) and (8): what the shear may be at most. \PaperEq{LinEtAl, 6}
 inline double shear_bound(double c, double mu, double sigma_n) { return c - mu * sigma_n; }

@@ -21,7 +21,7 @@ enum class NormalTraction { Pressure = 1, Stress = -1 };
 
 /// What (42) is made of.
 struct WholeSystem {
-  SolvedScene run;      ///< by the library, to compare with; only its model is used
+  SolvedScene run;      ///< by the library, to compare with. The system takes its model only
   MatrixXd normal;      ///< `n x n_c` loads of the nodes of unit pressures: (33) to (36) [length^2]
   MatrixXd tangential;  ///< `n x n_c` of unit shears: (38) to (41) [length^2]
   double mu;            ///< friction coefficient

@@ -1,5 +1,6 @@
 // Chapter 11 - With which power of the cell the errors fall: displacements, pressure and half-width, by five elements.
 // Run:  make ch11     Reads: nothing     Writes: ch11_orders.results, orders.md, fig_11_9.csv
+// Takes longer than 5 s: ./run.sh shows its committed results.
 #include <iostream>
 
 #include "half_plane.hpp"

@@ -41,6 +41,15 @@ std::vector<Index> random_choice(Random& random, Index n, Index count) {
   return order;
 }
 
+// The load and the initial gaps that a chosen displacement, chosen forces and chosen gaps solve.
+void pose(KnownProgramme& known, const Eigen::VectorXd& gap) {
+  DenseProgramme& programme = known.programme;
+  const Eigen::VectorXd stretched = programme.stiffness * known.displacement;
+  programme.load = stretched + programme.A.transpose() * known.force;
+  programme.initial_gap = programme.A * known.displacement + gap;
+  known.energy = 0.5 * known.displacement.dot(stretched) - programme.load.dot(known.displacement);
+}
+
 // Share of the total force left of x, under Hertz's pressure (2 / pi b) sqrt(1 - (x/b)^2).
 // The exact pressure of a punch is summed over the length of each pair, as the difference of two of
 // these shares. Both are integrals of the pressure, divided by the total force.
@@ -82,10 +91,7 @@ KnownProgramme rosen_suzuki(Index n, Index m, std::uint64_t seed) {
     gap(i) = 0;
     known.force(i) = random.uniform(0.5, 2);
   }
-  const Eigen::VectorXd stretched = programme.stiffness * known.displacement;
-  programme.load = stretched + programme.A.transpose() * known.force;
-  programme.initial_gap = programme.A * known.displacement + gap;
-  known.energy = 0.5 * known.displacement.dot(stretched) - programme.load.dot(known.displacement);
+  pose(known, gap);
   return known;
 }
 
@@ -126,10 +132,7 @@ KnownProgramme whole_number_programme(Index n, Index m, std::uint64_t seed) {
     gap(i) = 0;
     known.force(i) = random.whole(1, 9);
   }
-  const Eigen::VectorXd stretched = programme.stiffness * known.displacement;
-  programme.load = stretched + programme.A.transpose() * known.force;
-  programme.initial_gap = programme.A * known.displacement + gap;
-  known.energy = 0.5 * known.displacement.dot(stretched) - programme.load.dot(known.displacement);
+  pose(known, gap);
   return known;
 }
 

@@ -30,7 +30,8 @@ TEXTS = {
     "docs/references.md": '# References\n\n<a id="Smith1990"></a>\nSmith J., On contact, 1990.\n\n'
                           '<a id="Jones2000"></a>\nJones K., More, 2000.\n',
     "README.md": "# Book\n\nA book on contact.\n",
-    "chapters/README.md": "# Ways\n\n| chapter | shows |\n|:--|:--|\n| [1 One](ch01_one/README.md) | how it begins |\n",
+    "chapters/README.md": "# Ways\n\n| chapter | shows |\n|:--|:--|\n| [1 One](ch01_one/README.md) | how it begins |\n"
+                          "| [5 Five](ch05_five/README.md) | how it ends |\n",
     "chapters/glossary.md": "# Glossary\n\n| word | Chinese | meaning |\n|:--|:--|:--|\n| active set | x | pairs that are closed |\n",
     "chapters/ch01_one/README.md": "# 1 One\n\n**What you will learn.** Something.\n\n## The gap\n\nThe active set has a gap $g$, and\n\n"
                                    '<a id="eq-1"></a>\n\n```math\ng = 0 \\tag{1}\n```\n\n'
@@ -283,6 +284,7 @@ class Whole(unittest.TestCase):
                 ("a live figure without source", (one, "![Fig", "<!-- live gone -->\n\n![Fig"), one + ": error: no live figure gone"),
                 ("a reference that does not exist", ("src/papers/thing.hpp", "ref Smith1990", "ref Smith1991"), "no reference Smith1991"),
                 ("a chapter in no part", ("docs/parts", "part Later: 4-99\n", ""), "docs/parts: error: chapter-05 is in no part"),
+                ("another order", ("docs/parts", "0-3\npart Later: 4-99", "4-99\npart Later: 0-3"), "docs/parts: error: the order of chapters is 05 01, in"),
                 ("a part that says nothing", ("docs/parts", "part First", "port First"), "docs/parts: error: expected part, paper or use")):
             folder = make(FOLDER / "fault", [change])
             code, said = run(folder)

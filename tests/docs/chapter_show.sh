@@ -175,4 +175,10 @@ awk '/^namespace/ { inside = 1 } /^#include [<"][a-z]/ && inside { exit 1 }' dee
 sed -i 's/Writes:/writes/' chapters/ch01_toy/slow.cpp
 said=$($batch --long chapters/ch01_toy/slow.cpp 2>&1) && fault "what takes long need not say what it writes"
 said_line 'slow.cpp takes longer than 5 s, but its heading does not say what it writes'
+
+# A chapter 0 has figures like any other: one that nothing draws is found.
+mkdir -p chapters/ch00_zero out/ch00
+echo x > figures/fig_0_1.csv
+: > figures/fig_0_1.gp
+"$tools/chapter.sh" figures chapters/ch00_zero out/ch00 > /dev/null 2>&1 && fault "figure 0.1 cannot be drawn, and nobody complains"
 exit $bad

@@ -1,4 +1,4 @@
-"""contracts.py: the comments of the headers for two readers: previews of functions for the pages, and copies for Doxygen.
+"""contracts.py: the comments of the headers for two readers: the pages, as previews of functions, and Doxygen, as copies.
 
 Doxygen makes the reference of src/ from copies in which formulas are MathML and equations are links into the book: it needs neither
 MathJax nor a filter, and lines keep their numbers.  `python3 contracts.py ROOT FOLDER` writes the copies.

@@ -41,6 +41,10 @@ class Book:
         for name in self.chapters:
             if int(name[-2:]) not in reading:
                 self.complain("docs/parts", "%s is in no part" % name)
+        told = ["chapter-" + n for n in re.findall(r"^\| \[\d+ .*?\]\(ch(\d\d)_", self.text.get("ways", ""), re.M)]
+        if told != self.chapters:
+            self.complain("docs/parts", "the order of chapters is %s, in chapters/README.md it is %s" % tuple(
+                " ".join(name[-2:] for name in names) for names in (self.chapters, told)))
         self.equation, self.figure, self.entry, self.words = {}, {}, {}, {}
         self.find_places()
 

@@ -56,7 +56,7 @@ class CertifiedSolve {
   /// K u, which should do no work along rigid motions, does there in the place of the load.
   void correct();
   /// Takes over what a solver says about its run.
-  void take_over(const ContactState& claim, bool corrected);
+  void take_over(const ContactState& claim);
   /// Fills the end.
   void conclude();
   /// Refines the end once more where the certificate sees what rounding of K leaves along rigid motions.
@@ -195,7 +195,7 @@ void CertifiedSolve::correct() {
   corrected_->free_slip = free.tail(free.size() - pairs);
 }
 
-void CertifiedSolve::take_over(const ContactState& claim, bool corrected) {
+void CertifiedSolve::take_over(const ContactState& claim) {
   ContactState& state = end_.state;
   append(state.report, claim.report);
   state.uniqueness = claim.uniqueness;
@@ -204,7 +204,7 @@ void CertifiedSolve::take_over(const ContactState& claim, bool corrected) {
   state.unbounded_direction = claim.unbounded_direction;
   state.farkas_certificate = claim.farkas_certificate;
   // What is proved of the corrected problem is not proved of the one that was posed.
-  if (corrected && claim.report.status == SolveStatus::Infeasible) {
+  if (corrected_ && claim.report.status == SolveStatus::Infeasible) {
     state.report.status = SolveStatus::Breakdown;
     state.unbounded_direction.resize(0);
     state.farkas_certificate.resize(0);
@@ -215,8 +215,7 @@ CertifiedSolution CertifiedSolve::run(const Solver& solver, const SolverOptions&
   // Every pass brings a new set, but sets are too many to try: a pass that does not halve the worst figure of
   // the certificate has no successor but one.
   double best = std::numeric_limits<double>::infinity();
-  bool corrected = false;
-  for (int idle = 0; idle < 2; corrected = true) {
+  for (int idle = 0; idle < 2;) {
     ContactState claim;
     {
       const Ledger::Phase phase(ledger_, "contact");
@@ -224,7 +223,7 @@ CertifiedSolution CertifiedSolve::run(const Solver& solver, const SolverOptions&
       ledger_.count("iterations", claim.report.iterations);
       ledger_.count("factorisations", claim.report.factorisations);
     }
-    take_over(claim, corrected);
+    take_over(claim);
     if (!usable(claim)) break;
     if (settle(claim)) break;
     if (!refined_.settled) break;  // nothing to correct the condensed problem with

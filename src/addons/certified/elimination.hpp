@@ -11,16 +11,15 @@ namespace signorini {
 /// Places and values.
 using SparseEntries = std::vector<std::pair<Eigen::Index, double>>;
 
-/// Finds the combinations of columns that are nothing, by Gaussian elimination with complete pivoting.
+/// Finds the combinations of columns that are nothing, by a sparse QR factor with column pivoting.
 ///
-/// The largest entry that is left is the next pivot; its column is subtracted from all that have an entry in its
-/// row, so no multiple is larger than 1. What is left of a column is nothing if it is at most a share of the largest term that
-/// made it, which is to be what rounding of the data can be. Where columns along a line are coupled with their neighbours only,
-/// so are those that are left, and the work of the eliminations grows with their number only.
+/// A column, divided by its largest entry, depends on the columns before it if what is left of it is at most a share,
+/// which is to be what rounding of the data can be. Where columns along a line are coupled with their neighbours only, so are
+/// those of the factor, and the work grows with their number only.
 /// \param columns  entries by rows; a row may occur more than once
 /// \param rows     of the matrix
 /// \param share    see above [-]
-/// \return a basis of the combinations by numbers of columns, each with a largest entry of 1 and none up to `share`
+/// \return a basis of the combinations by numbers of columns, each divided such that its largest entry is 1 or its own column has 1
 [[nodiscard]] std::vector<SparseEntries> null_combinations(
     const std::vector<SparseEntries>& columns, Eigen::Index rows, double share);
 

@@ -119,9 +119,11 @@ ForceUncertainty force_uncertainty(const RefinementData& data, const RefinedSolu
   Rows repeated;
   std::set_difference(closed.begin(), closed.end(), independent.begin(), independent.end(),
                       std::back_inserter(repeated));
-  if (const VectorXd other = estimate.beside(repeated); !estimate.idle(other)) {
-    force = other;
-    uncertainty.share = 1;
+  if (!repeated.empty()) {
+    if (const VectorXd other = estimate.beside(repeated); !estimate.idle(other)) {
+      force = other;
+      uncertainty.share = 1;
+    }
   }
   if (!(uncertainty.share > 0)) return {};
   force.cwiseAbs().maxCoeff(&uncertainty.pair);
