@@ -83,7 +83,8 @@ inline Bearing bearing(const Pin& pin, Index cells_radius, const VectorXd& rays)
 }
 // [bearing]
 
-/// The paper's 225 cells and 12 candidates: 11 cells over the quadrant that bears, 4 over the other.
+/// The paper's 225 cells, divided by us: 11 cells over the quadrant that bears, whose 12 nodes are its
+/// candidates, 4 over the other.
 inline Bearing on_paper_mesh(const Pin& pin) {
   return bearing(pin, 15, pin.side() > 0 ? rays_by_quadrant({11, 4}) : rays_by_quadrant({4, 11}));
 }

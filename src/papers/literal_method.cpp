@@ -3,7 +3,8 @@
 // The paper says "the violated constraints" and "a quasi-active set" of them. A program has to say
 // which. A pair is *violated* if it overlaps by more than rounding and by more than a small part of
 // the first overlap; it is *tight* if its gap is below the square root of that part. Which of the
-// violated pairs are *quasi-active* is left open by the paper; there are four readings.
+// violated pairs are *quasi-active* is left open by the paper. There are two readings, and two limiting
+// cases of ours.
 //
 // The problem with these pairs alone is solved through the surrogate dual, as in the paper, but
 // with the one rule for its weights that ends by itself. So whatever goes wrong outside is not the
@@ -95,8 +96,8 @@ void LiteralMethod::sort_by_violation(std::vector<Index>& rows) const {
 
 // A pair depends on others if its row is a sum of theirs. The factor of the pairs taken so far
 // finds that out: the pivot of such a pair is zero. What it accepts is the set.
-// The order in which pairs are offered is the whole difference between two of the readings: by
-// number, or the largest overlap first. In the other two the answer is known without a factor.
+// The order in which pairs are offered is the whole difference between the two readings: by number, or
+// the largest overlap first. In the limiting cases the answer is known without a factor.
 std::vector<Index> LiteralMethod::quasi_active(std::vector<Index> rows) const {
   if (choice_ == QuasiActiveRows::AllViolated || rows.empty()) return rows;
   if (choice_ != QuasiActiveRows::IndependentByIndex) sort_by_violation(rows);

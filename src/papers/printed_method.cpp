@@ -2,8 +2,8 @@
 //
 // Chapters 6 and 7 show on their own problems what the method of the paper does: which pairs
 // overlap before a step, which of them are taken, which the step presses, and how the weights of
-// the first step come about. Two readings of the paper are the limits: all pairs that overlap are
-// taken at once, or only the one that overlaps most.
+// the first step come about. Two limiting cases of ours are run: all pairs that overlap are taken
+// at once, or only the one that overlaps most.
 
 #include "papers/printed_method.hpp"
 
@@ -12,6 +12,7 @@
 
 #include "papers/weight_iteration.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/problem/scaled.hpp"
 
 namespace signorini {
 
@@ -28,7 +29,8 @@ double is_in(const std::vector<Index>& sorted, Index pair) {
 }  // namespace
 
 // The first quasi-active set is a problem of its own. The best rule for its weights and the printed
-// one are both run on it, and of the printed one we count the vertices that it jumps to before one
+// one are both run on it. The best one runs on scaled rows, as in surrogate_dual(). The printed one runs on
+// the rows as they are, since the paper scales none, and we count the vertices that it jumps to before one
 // comes back.
 PrintedMethod printed_method(const ContactProblem& problem) {
   constexpr Index no_limit = 1000000;  // both rules end by themselves
@@ -38,20 +40,22 @@ PrintedMethod printed_method(const ContactProblem& problem) {
   require_argument(!run.all.steps.empty(), "printed_method: no pair overlaps without contact");
   run.group = run.all.steps.front().quasi_active;
   const ContactProblem part{problem.compliance(run.group, run.group), problem.free_gap(run.group)};
-  run.weights = weight_supports(part, WeightRule::FullyCorrective, no_limit);
+  const ScaledProblem scaled = equilibrate(part);
+  run.weights =
+      weight_supports({scaled.compliance, scaled.free}, WeightRule::FullyCorrective, no_limit);
   run.jumps =
       static_cast<Index>(weight_supports(part, WeightRule::LiteralVertex, no_limit).size()) - 1;
   return run;
 }
 
 // If no pair overlaps after the first step, the problem is solved: the step presses only pairs that
-// it closes. Three of the four readings are asked. The fourth takes one pair per step, so it needs
+// it closes. Three of the four choices are asked. The fourth takes one pair per step, so it needs
 // at least as many steps as it presses pairs.
 bool solved_in_one_step(const ContactProblem& problem, const ContactState& solution) {
-  const QuasiActiveRows readings[] = {QuasiActiveRows::AllViolated,
-                                      QuasiActiveRows::IndependentByIndex,
-                                      QuasiActiveRows::IndependentByViolation};
-  return std::all_of(std::begin(readings), std::end(readings), [&](QuasiActiveRows rows) {
+  const QuasiActiveRows choices[] = {QuasiActiveRows::AllViolated,
+                                     QuasiActiveRows::IndependentByIndex,
+                                     QuasiActiveRows::IndependentByViolation};
+  return std::all_of(std::begin(choices), std::end(choices), [&](QuasiActiveRows rows) {
     const QuasiActiveRun run = run_quasi_active_set_literal(problem, {}, rows);
     return run.outer_steps == 1 && run.state.report.status == SolveStatus::Solved &&
            run.state.active == solution.active &&

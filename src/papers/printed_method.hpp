@@ -18,8 +18,8 @@ struct PrintedMethod {
   QuasiActiveRun one;               ///< QAS is the row that overlaps most
   std::vector<Eigen::Index> group;  ///< first QAS of `all`
   std::vector<std::vector<Eigen::Index>>
-      weights;             ///< weight_supports() of `group`, fully corrective
-  Eigen::Index jumps = 0;  ///< how often (28) as printed jumps on `group` until a vertex comes back
+      weights;             ///< weight_supports() of `group` with rows scaled, fully corrective
+  Eigen::Index jumps = 0;  ///< how often (28) as printed jumps on the rows of `group` until a vertex comes back
 };
 
 /// Runs the printed method, and the weights of its first subproblem.

@@ -5,7 +5,8 @@
 // objective with it, so that the next step starts from where this one ended. Its forces are added
 // to those before and are never taken back.
 //
-// That is the flaw, and a small problem shows it. Let
+// Two things are wrong with that. The first: a set holds violated pairs only, so a pair that one step
+// closes may be crossed by the next. A small problem shows it. Let
 // \f[ G = \begin{pmatrix} 1 & -1 \\ -1 & 2 \end{pmatrix}, \qquad d = (-2, 1). \f]
 // The first pair overlaps by 2. The force 2 closes it and pushes the second into an overlap of 1.
 // The force 1/2 closes that one, and now the first overlaps by 1/2. The forces come to
@@ -16,7 +17,8 @@
 //     step 4: 2 1/2   3/4
 //
 // and so on towards (3, 1), which solves the problem and is never reached. If both pairs were
-// closed together, one step would do. [Chapter 4](../../chapters/ch04_quasi_active_set/README.md)
+// closed together, one step would do. The second: forces are never taken back, even if later ones make
+// them needless. [Chapter 4](../../chapters/ch04_quasi_active_set/README.md) has four walls for that, and
 // proves when the loop ends.
 //
 // A second reading takes every pair at most once. Then the loop above ends after step 2, with forces

@@ -44,9 +44,9 @@ struct SaddlePointSolution {
 /// with the forces that are given. Both residuals are summed in twice the working precision and u is kept in two
 /// parts, so the last steps are also the refinement.
 ///
-/// In the paper's form, AsPrinted, \f$ \varphi \f$ compares a length with a force, every step is taken
-/// whole, and the method stops where |F|, forces and lengths mixed, is `tolerance` of its start. Where
-/// that ends depends on the units. The default compares numbers of one unit, gap / sqrt(s c_i) and
+/// In the paper's form, AsPrinted, \f$ \varphi \f$ compares a length with a force. The paper names neither
+/// a step length nor a test. Whole steps are our choice, and so is the end where |F|, forces and lengths
+/// mixed, is `tolerance` of its start: it depends on the units. The default compares numbers of one unit, gap / sqrt(s c_i) and
 /// lambda sqrt(s c_i), where \f$ c_i = \sum_j A_{ij}^2 / K_{jj} \f$ is the compliance of a pair whose
 /// neighbours stand still and s how much more forces on all pairs do; row j of equilibrium counts as
 /// force / sqrt(K_jj). s costs a factor of K; without it a beam of 100 pairs takes 56 steps in place of

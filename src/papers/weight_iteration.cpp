@@ -21,7 +21,6 @@
 #include <limits>
 
 #include "signorini/core/rounding.hpp"
-#include "signorini/problem/scaled.hpp"
 
 namespace signorini {
 
@@ -195,17 +194,15 @@ void WeightIteration::move(const Direction& along, double step) {
 }
 
 // Figures show which pairs carry weight. They want all steps, not only the last.
-// The problem is equilibrated as in surrogate_dual(), so that the steps are the same.
+// Rows are taken as they come. The paper scales none, surrogate_dual() scales all: the caller decides.
 std::vector<std::vector<Index>> weight_supports(const ContactProblem& problem, WeightRule rule,
                                                 Index limit) {
   check_plain(problem, "weight_supports");
-  const ScaledProblem scaled = equilibrate(problem);
-  const ContactProblem unit{scaled.compliance, scaled.free};
-  WeightIteration run(unit, rule);
+  WeightIteration run(problem, rule);
   std::vector<std::vector<Index>> supports;
   do {
     supports.emplace_back();
-    for (Index i = 0; i < unit.free_gap.size(); ++i)
+    for (Index i = 0; i < problem.free_gap.size(); ++i)
       if (run.weights()(i) > 0) supports.back().push_back(i);
   } while (static_cast<Index>(supports.size()) <= limit && run.step());
   return supports;

@@ -86,9 +86,8 @@ class WeightIteration {
   WeightEnd end_ = WeightEnd::None;
 };
 
-/// Which pairs carry weight at the start and after every step, on the equilibrated problem as in
-/// surrogate_dual().
-/// \param problem  G positive semidefinite and d
+/// Which pairs carry weight at the start and after every step.
+/// \param problem  G positive semidefinite and d, as they are; other scales of its rows give other steps
 /// \param rule     how the weights change
 /// \param limit    on the number of steps, for rules that do not end by themselves
 /// \return one list of pairs for the start and one per step, each in increasing order
