@@ -52,6 +52,9 @@ function drawing(picture, words) {
       else if (value.includes("url(#")) e.setAttribute(name, value.replaceAll("url(#", "url(#" + own));
     }
   for (const polygon of svg.querySelectorAll("polygon[fill^=url]")) hatch(svg, polygon, own + "clip-" + ++drawings);
+  for (const label of svg.querySelectorAll("[style*='filter']")) {    // a box behind letters: filters become bitmaps, a seam does not
+    label.setAttribute("style", "stroke: #fff; stroke-width: 5; stroke-linejoin: round; paint-order: stroke");
+  }
   const [, , width, height] = svg.getAttribute("viewBox").split(/[\s,]+/).map(Number);
   const scale = Math.min(1, TALLEST / height);
   svg.setAttribute("width", width * scale);

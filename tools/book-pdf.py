@@ -91,12 +91,22 @@ class Pdf:
         places = self.objects.get(self.reference(catalog, b"Dests") or -1, b"")
         self.places = {name.decode(): self.pages[int(page)] for name, page in re.findall(rb"/([\w.-]+) \[(\d+) 0 R", places)}
         self.outline = b"/Outlines" in catalog
-        self.bitmaps = sum(b"/Subtype /Image" in body for body in self.objects.values())
+        bitmaps = {n for n, body in self.objects.items() if b"/Subtype /Image" in body}
+        self.bitmaps = {self.pages[n]: len(there) for n in self.pages if (there := bitmaps & self.drawn(n))}
 
     @staticmethod
     def reference(body, key):
         match = re.search(rb"/%s (\d+) 0 R" % key, body)
         return int(match[1]) if match else None
+
+    def drawn(self, page):
+        """The objects that a page draws."""
+        drawn, new = set(), {page}
+        while new:
+            drawn |= new
+            parts = [re.search(rb"(?s)/XObject <<(.*?)>>", self.objects[n]) for n in new]
+            new = {int(n) for part in parts if part for n in re.findall(rb"(\d+) 0 R", part[1])} - drawn
+        return drawn
 
     def kids(self, number):
         body = self.objects[number]
@@ -147,7 +157,8 @@ def main():
         os.remove(sheet)
     wrong += ["its number moves " + place for place in asked if last.places.get(place) != first.get(place)]
     wrong += ["no page for " + place for place in asked if place not in last.places]
-    wrong += ["no outline"] * (not last.outline) + ["%d bitmaps" % last.bitmaps] * (last.bitmaps > 0)
+    wrong += ["no outline"] * (not last.outline)
+    wrong += ["page %d: bitmaps, %d of them" % item for item in last.bitmaps.items()]
     if wrong:
         sys.exit("\n".join(wrong + ["book-pdf.py: %d problems" % len(wrong)]))
     with open(target, "wb") as file:
