@@ -5,6 +5,7 @@
 // Links between pages become links within the book, links to what is not in the book become plain words.  Returns what
 // is wrong: places that are linked to and do not exist, or exist twice.
 // `ready` becomes true when pictures and faces are there.
+// faceless(letters) returns those that no face of this machine has.
 // number(pages) writes {place: page} behind the entries of the contents and of the index.
 // misfits() lists what is not drawn, and what is wider than the paper.
 "use strict";
@@ -52,6 +53,9 @@ function drawing(picture, words) {
       else if (value.includes("url(#")) e.setAttribute(name, value.replaceAll("url(#", "url(#" + own));
     }
   for (const polygon of svg.querySelectorAll("polygon[fill^=url]")) hatch(svg, polygon, own + "clip-" + ++drawings);
+  for (const label of svg.querySelectorAll("[style*='filter']")) {    // a box behind letters: filters become bitmaps, a seam does not
+    label.setAttribute("style", "stroke: #fff; stroke-width: 5; stroke-linejoin: round; paint-order: stroke");
+  }
   const [, , width, height] = svg.getAttribute("viewBox").split(/[\s,]+/).map(Number);
   const scale = Math.min(1, TALLEST / height);
   svg.setAttribute("width", width * scale);
@@ -160,6 +164,19 @@ function join(book) {
     if (places.get(to) !== 1) wrong.add(`${link.textContent}: the place #${to} exists ${places.get(to) ?? 0} times`);
   }
   return [...wrong];
+}
+
+async function faceless(letters) {
+  await Promise.all([...document.fonts].map((face) => face.load()));
+  const canvas = element("canvas", { width: 40, height: 40 }), pen = canvas.getContext("2d", { willReadFrequently: true });
+  const drawn = (letter) => {
+    pen.reset();
+    pen.font = "20px Pagella, 'Pagella Math', Listing, Label, sans-serif";
+    pen.fillText(letter, 5, 28);
+    return pen.getImageData(0, 0, 40, 40).data.join();
+  };
+  const none = drawn("\u0378"), blank = drawn(" ");    // no letter has this number: it is drawn as the missing ones are
+  return [...letters].filter((letter) => letter.trim() && [none, blank].includes(drawn(letter))).join("");
 }
 
 async function settle() {

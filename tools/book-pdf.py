@@ -1,20 +1,23 @@
 #!/usr/bin/env python3
-"""book-pdf.py [BOOK] [FILE]
+"""book-pdf.py [BOOK] [FILE] | --ready
 
 Prints the web pages in BOOK (default build/book) as one book, FILE (default build/signorini.pdf): title, contents with
 page numbers, the chapters with their exercises, notation, lists, references and hints.  Formulas are text, figures are vectors.
 Ends with status 1, and without a file, if a link of the book leads nowhere, or a formula, a listing, a table or a figure
-would be missing or cut.  Needs python3 and chromium.
+would be missing or cut, or no face of this machine has a letter of the book.  Needs python3 and chromium.
+With --ready it prints nothing: its status says whether browser and faces are there, its words what is missing.
 
 A browser prints, and not TeX, because the pages are at home in it: the formulas, code and figures of the book are those of
 the web pages, one source and one dialect, and the browser is there already where pages are checked.  Pandoc with XeLaTeX
 would be 196 MB more to download (Debian 12, with Chinese), and would need the marks of the texts a second time.
 """
 import base64
+import glob
 import json
 import os
 import re
 import sys
+import tempfile
 import time
 
 sys.dont_write_bytecode = True    # no __pycache__ beside the tools
@@ -23,7 +26,7 @@ from browser import Browser, chromium
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 BEFORE, AFTER = ["index", "use", "ways"], ["notation", "glossary", "equations", "words", "references"]
 PASSES = 5       # until every number is that of its page
-SECONDS = 900    # for pictures and faces, on a busy machine
+SECONDS = 900    # for an answer of the browser, on a busy machine
 
 PAGE = """<!DOCTYPE html><html lang="en" class="light"><head><meta charset="utf-8"/><title>Signorini</title>
 <link rel="stylesheet" href="@BOOK@/page.css"/><link rel="stylesheet" href="@BOOK@/formula.css"/>
@@ -48,6 +51,18 @@ def names(folder):
         exercises = [name for name in there if re.fullmatch("exercise" + chapter[7:] + r"-\d+", name)]
         order += sorted(exercises, key=lambda name: int(name.rsplit("-", 1)[1]))
     return order + [name for name in AFTER if name in there]
+
+
+def letters():
+    """The signs of the book's texts."""
+    texts = glob.glob(os.path.join(ROOT, "chapters/**/*.md"), recursive=True) + glob.glob(os.path.join(ROOT, "docs/*.md"))
+    return "".join(sorted(set("".join(map(read, texts)))))
+
+
+def without_faces(printer):
+    """What is wrong with the faces of this machine."""
+    missing = printer.ask("faceless(%s)" % json.dumps(letters()))
+    return ["no face has these letters: %s: tools/setup.sh print" % missing] if missing else []
 
 
 class Printer:
@@ -91,12 +106,22 @@ class Pdf:
         places = self.objects.get(self.reference(catalog, b"Dests") or -1, b"")
         self.places = {name.decode(): self.pages[int(page)] for name, page in re.findall(rb"/([\w.-]+) \[(\d+) 0 R", places)}
         self.outline = b"/Outlines" in catalog
-        self.bitmaps = sum(b"/Subtype /Image" in body for body in self.objects.values())
+        bitmaps = {n for n, body in self.objects.items() if b"/Subtype /Image" in body}
+        self.bitmaps = {self.pages[n]: len(there) for n in self.pages if (there := bitmaps & self.drawn(n))}
 
     @staticmethod
     def reference(body, key):
         match = re.search(rb"/%s (\d+) 0 R" % key, body)
         return int(match[1]) if match else None
+
+    def drawn(self, page):
+        """The objects that a page draws."""
+        drawn, new = set(), {page}
+        while new:
+            drawn |= new
+            parts = [re.search(rb"(?s)/XObject <<(.*?)>>", self.objects[n]) for n in new]
+            new = {int(n) for part in parts if part for n in re.findall(rb"(\d+) 0 R", part[1])} - drawn
+        return drawn
 
     def kids(self, number):
         body = self.objects[number]
@@ -106,53 +131,75 @@ class Pdf:
         return [page for kid in re.findall(rb"(\d+) 0 R", inside) for page in self.kids(int(kid))]
 
 
-def main():
-    folder = os.path.abspath(sys.argv[1] if len(sys.argv) > 1 else "build/book")
-    target = os.path.abspath(sys.argv[2] if len(sys.argv) > 2 else "build/signorini.pdf")
-    program = chromium()
-    if not program:
-        sys.exit("book-pdf.py: no chromium found, run: tools/setup.sh print")
-    if not os.path.exists(os.path.join(folder, "index.html")):
-        sys.exit("book-pdf.py: no pages in %s, run: make book" % folder)
-    if os.path.exists(target):
-        os.remove(target)
+def contents(folder):
+    """What print.js joins."""
     version = re.search(r"project\(signorini\s+VERSION\s+([\d.]+)", read(os.path.join(ROOT, "CMakeLists.txt")))
     brief = re.search(r'PROJECT_BRIEF\s*=\s*"(.*?)[:"]', read(os.path.join(ROOT, "docs/Doxyfile.in")))
     book = {"base": "file://" + folder + "/", "brief": brief[1], "version": "Version " + version[1] if version else "",
             "pages": [{"name": name, "html": read(os.path.join(folder, name + ".html"))} for name in names(folder)]}
     drawn = {src for page in book["pages"] for src in re.findall(r'<img src="([^":]+\.svg)"', page["html"])}
     book["pictures"] = {src: read(os.path.join(folder, src)) for src in drawn if os.path.exists(os.path.join(folder, src))}
-    sheet = folder + ".print.html"
-    with open(sheet, "w", encoding="utf-8") as file:
-        file.write(PAGE.replace("@DOCS@", os.path.join(ROOT, "docs")).replace("@BOOK@", folder))
-    browser = Browser(program)
-    try:
-        printer = Printer(browser, "file://" + sheet)
-        wrong = printer.ask("join(%s)" % json.dumps(book))
-        printer.ask("settle()")
-        printer.wait("ready")
-        wrong += printer.ask("misfits()")
-        first, data = {}, b""
-        for _ in range(PASSES):    # numbers may move what they number
-            data = printer.pdf()
-            last = Pdf(data)
-            if last.places == first:
-                break
-            first = last.places
-            printer.ask("number(%s)" % json.dumps(first))
-        formulas = printer.ask("document.querySelectorAll('math').length")
-        asked = printer.ask("[...document.querySelectorAll('.page')].map(e => e.dataset.place)")
-    finally:
-        browser.close()
-        os.remove(sheet)
+    return book
+
+
+def printed(printer, book):
+    """The file, the number of its pages, of its formulas and of the places that are linked to, and what is wrong."""
+    wrong = without_faces(printer)
+    if wrong:    # without any a browser may wait for ever
+        return b"", "", wrong
+    wrong = printer.ask("join(%s)" % json.dumps(book))
+    printer.ask("settle()")
+    printer.wait("ready")
+    wrong += printer.ask("misfits()")
+    first, data = {}, b""
+    for _ in range(PASSES):    # numbers may move what they number
+        data = printer.pdf()
+        last = Pdf(data)
+        if last.places == first:
+            break
+        first = last.places
+        printer.ask("number(%s)" % json.dumps(first))
+    formulas = printer.ask("document.querySelectorAll('math').length")
+    asked = printer.ask("[...document.querySelectorAll('.page')].map(e => e.dataset.place)")
     wrong += ["its number moves " + place for place in asked if last.places.get(place) != first.get(place)]
     wrong += ["no page for " + place for place in asked if place not in last.places]
-    wrong += ["no outline"] * (not last.outline) + ["%d bitmaps" % last.bitmaps] * (last.bitmaps > 0)
+    wrong += ["no outline"] * (not last.outline)
+    wrong += ["page %d: bitmaps, %d of them" % item for item in last.bitmaps.items()]
+    return data, "%d pages, %d formulas, %d places, %.1f MB" % (len(last.pages), formulas, len(last.places), len(data) / 1e6), wrong
+
+
+def work(folder, ask):
+    """What ask(printer) returns, asked of an empty sheet with the styles of the book in FOLDER."""
+    program = chromium()
+    if not program:
+        sys.exit("book-pdf.py: no chromium found, run: tools/setup.sh print")
+    browser = Browser(program, SECONDS)
+    with tempfile.NamedTemporaryFile("w", suffix=".html") as sheet:
+        sheet.write(PAGE.replace("@DOCS@", os.path.join(ROOT, "docs")).replace("@BOOK@", folder))
+        sheet.flush()
+        try:
+            return ask(Printer(browser, "file://" + sheet.name))
+        except (EOFError, TimeoutError) as error:
+            sys.exit("book-pdf.py: %s" % error)
+        finally:
+            browser.close()
+
+
+def main():
+    if sys.argv[1:] == ["--ready"]:
+        sys.exit("\n".join(work(os.path.join(ROOT, "docs"), without_faces)) or 0)
+    folder = os.path.abspath(sys.argv[1] if len(sys.argv) > 1 else "build/book")
+    target = os.path.abspath(sys.argv[2] if len(sys.argv) > 2 else "build/signorini.pdf")
+    if not os.path.exists(os.path.join(folder, "index.html")):
+        sys.exit("book-pdf.py: no pages in %s, run: make book" % folder)
+    if os.path.exists(target):
+        os.remove(target)
+    data, said, wrong = work(folder, lambda printer: printed(printer, contents(folder)))
     if wrong:
         sys.exit("\n".join(wrong + ["book-pdf.py: %d problems" % len(wrong)]))
     with open(target, "wb") as file:
         file.write(data)
-    print("%s: %d pages, %d formulas, %d places, %.1f MB" % (target, len(last.pages), formulas, len(last.places), len(data) / 1e6))
+    print("%s: %s" % (target, said))
 
 
 main()

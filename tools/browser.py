@@ -23,7 +23,8 @@ def chromium():
 class Browser:
     """A Chromium process and its debugging pipe: JSON messages separated by zero bytes."""
 
-    def __init__(self, program):
+    def __init__(self, program, patience=120):
+        self.patience = patience    # seconds for an answer
         self.profile = tempfile.mkdtemp()
         to_browser, self.out = os.pipe()
         self.inp, from_browser = os.pipe()
@@ -34,7 +35,7 @@ class Browser:
             os.dup2(b, 4)
 
         self.process = subprocess.Popen(
-            [program, "--headless", "--no-sandbox", "--disable-gpu", "--remote-debugging-pipe", "--no-first-run",
+            [program, "--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--remote-debugging-pipe", "--no-first-run",
              "--disable-background-timer-throttling", "--disable-renderer-backgrounding",
              "--disable-backgrounding-occluded-windows",
              "--allow-file-access-from-files", "--window-size=1280,900", "--user-data-dir=" + self.profile],
@@ -59,7 +60,8 @@ class Browser:
             for inbox in self.inbox.values():
                 inbox.put(None)
 
-    def message(self, session, timeout=120):
+    def message(self, session, timeout=None):
+        timeout = self.patience if timeout is None else timeout
         with self.lock:
             inbox = self.inbox.setdefault(session, queue.Queue())
             ended = self.ended
@@ -71,6 +73,8 @@ class Browser:
                 raise TimeoutError("Chromium says nothing for %d seconds" % timeout) from None
         if message is None:
             raise EOFError("Chromium ended")
+        if message.get("method") == "Inspector.targetCrashed":
+            raise EOFError("Chromium's page crashed, for want of memory or by a fault of its own")
         return message
 
     def call(self, method, session=None, events=None, **params):
