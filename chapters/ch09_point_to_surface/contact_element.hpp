@@ -65,7 +65,7 @@ struct Signs {
   double reaction;  ///< of a in (31), and of F^C on the left of (42)
 };
 inline constexpr Signs as_pressure{1, 1, -1};  ///< (28) as printed, the other two changed
-inline constexpr Signs as_stress{-1, -1, 1};   ///< (29) to (31) and (42) as printed, (28) changed; tau and slip of the target
+inline constexpr Signs as_stress{-1, -1, 1};   ///< as printed but for the row of the gap; tau and slip of the target
 inline constexpr Signs as_printed{1, -1, 1};   ///< all as printed
 
 /// The element: its nodes on springs, loads on them, and the laws of contact and friction.

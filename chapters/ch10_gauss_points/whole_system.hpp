@@ -15,8 +15,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// What f_n is: a pressure, with the signs of chapter 9, or a stress, with the signs of (42) as printed and \f$ -f_n \f$ in
-/// (37). Then tau is the shear on the target, and the slip is that of the target.
+/// What f_n is: a pressure, with the signs of chapter 9, or a stress, with the signs of (42) as printed but for its row of
+/// the gap, which has \f$ -f_n \f$. Then tau is the shear on the target, and the slip is that of the target.
 enum class NormalTraction { Pressure = 1, Stress = -1 };
 
 /// What (42) is made of.
@@ -62,7 +62,7 @@ inline WholeSystem whole_system(const Scene& scene) {
   return whole;
 }
 
-/// \PaperEq{LinEtAl, 42}, with \PaperEq{LinEtAl, 37} for its second line and \PaperEq{LinEtAl, 31} for J
+/// \PaperEq{LinEtAl, 42}, with \PaperEq{LinEtAl, 37} for its row of the gap and \PaperEq{LinEtAl, 31} for J
 /// \param whole  the system \param x  unknowns \return F and J
 // [whole]
 inline WholeState evaluate(const WholeSystem& whole, const VectorXd& x) {

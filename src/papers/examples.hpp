@@ -33,7 +33,7 @@ struct KnownProgramme {
 /// more than one way to draw.
 ///
 /// K = B^T B + I with entries of B in -2, ..., 2. One entry of a row of A, in column i mod n, is not zero, the others are
-/// with the probability 2/3; entries are in -5, ..., 5. u in -4, ..., 4. From 1 to min(n, m) rows, any number of them as
+/// drawn with the probability 1/3, from -5, ..., 5, and zero else. u in -4, ..., 4. From 1 to min(n, m) rows, any number of them as
 /// likely as another, are closed with forces in 1, ..., 9; the others are open by 1, ..., 9. All data are whole numbers,
 /// and exact. Closed rows may depend on each other, so that other forces solve the problem, too; u is the only one.
 /// \param n     unknowns, at least 1

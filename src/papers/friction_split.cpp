@@ -17,7 +17,7 @@
 // The weak place is \f$ b = 0 \f$, as at every open pair without cohesion. Both conditions then say
 // only \f$ \tau = 0 \f$, the parts may grow together, and the Jacobian is singular.
 // [Chapter 8](../../chapters/ch08_complementarity/README.md) has the table. This file has the
-// equations, the method as it is printed, and what makes it work.
+// equations, Newton's method on them, and what makes it work.
 
 #include "papers/friction_split.hpp"
 
@@ -147,7 +147,8 @@ std::string singular(const ContactEquations& equations, const VectorXd& x) {
 
 // Newton's method until the residual, once below the tolerance, falls no more: its steps are cheap there.
 // \return why it ended, or nothing if there
-// No step is shortened here, and none is checked: this is the method that the paper describes.
+// No step is shortened here, and none is checked. Whole steps, the columns of u+ and u- and the test are
+// ours; the paper names none.
 // Below the tolerance it goes on as long as the residual falls: near a solution each step doubles
 // the digits, and one or two steps more give all that there are.
 std::string newton_iterations(ContactEquations& equations, const SolverOptions& options,

@@ -6,7 +6,7 @@
 
 namespace signorini {
 
-/// Solves the equations of the paper, with lambda as a pressure (chapter 9, one sign), by its plain Newton method.
+/// Solves the equations of the paper, with lambda as a pressure (chapter 9, one sign), by a plain Newton method.
 ///
 /// The slip is split, \PaperEq{LinEtAl, 19}, and the unknowns are the forces lambda, tau, the two parts u+, u-
 /// and amplitudes, \PaperEq{LinEtAl, 30}:

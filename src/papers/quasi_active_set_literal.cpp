@@ -24,7 +24,7 @@
 // A second reading takes every pair at most once. Then the loop above ends after step 2, with forces
 // (2, 1/2), and the first pair still overlaps by 1/2.
 //
-// This file is the flow chart of the paper. The sets of pairs and the problems with some pairs
+// This file is the loop of sections 2.3 and 3 of the paper, whose flow chart is lost in our copy. The sets of pairs and the problems with some pairs
 // alone are in [literal_method.cpp](literal_method.cpp).
 
 #include "papers/quasi_active_set_literal.hpp"

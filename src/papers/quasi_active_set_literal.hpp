@@ -33,7 +33,7 @@ struct QuasiActiveStep {
   std::vector<Eigen::Index> closed;        ///< pairs of QAS that the step presses
 };
 
-/// Which way a run took through the flow chart of the paper.
+/// Which way a run took through the flow chart of chapter 4.
 struct QuasiActiveRun {
   ContactState state;                   ///< what the run returns
   Eigen::Index outer_steps = 0;         ///< how often the minimum was moved, k

@@ -99,9 +99,9 @@ bool step_on(const QuadraticProgramme& programme, const Units& units, SparseLuFa
 
 }  // namespace
 
-// The two forms differ in when they stop. As printed, the method stops when F is small compared
-// with its start, and what it then has is tested by the certificate. In one unit the certificate
-// itself decides.
+// The two forms differ in when they stop. In the printed form we stop when F is small compared with its
+// start, as the paper names no test, and what there is then is tested by the certificate. In one unit
+// the certificate itself decides.
 SaddlePointSolution saddle_point_newton(const QuadraticProgramme& programme,
                                         const SaddlePointOptions& options) {
   const Index n = programme.load.size();

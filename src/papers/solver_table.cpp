@@ -78,7 +78,8 @@ Solver one_at_a_time() {
 }
 
 // Projected Gauss-Seidel is the method of engines for games. Each sweep closes every pair once, in
-// order. It comes closer and closer, and never ends exactly.
+// order. Sweeps alone come closer and closer; this member closes the set of pairs exactly as soon as
+// sweeps leave it alone.
 Solver sweeps() {
   return member("projected_gauss_seidel", "sweeps: each pair in turn gets the force that closes it",
                 projected_gauss_seidel)

@@ -93,9 +93,9 @@ struct WeightLine {
 /// \return the step in [0, largest] with the largest s; 0 if s does not rise at its beginning
 [[nodiscard]] double best_step(const WeightLine& line, double largest);
 
-/// How the weights change from one iteration to the next. All but the last look for the vertex of the most
-/// violated pair, which solves the linear programme \PaperEq{XuanLi2002, 28}; away steps may leave another
-/// vertex instead.
+/// How the weights change from one iteration to the next. All look for the vertex of the most violated
+/// pair, which solves the linear programme \PaperEq{XuanLi2002, 28}. Away steps may leave another vertex
+/// instead; the last rule takes that vertex into the face and goes to the best point there.
 enum class WeightRule {
   LiteralVertex,   ///< jump to that vertex, as the paper says
   Harmonic,        ///< go 2/(k+2) of the way in iteration k = 0, 1, ... [\ref FrankWolfe1956]

@@ -80,7 +80,7 @@ bool WeightIteration::stop(WeightEnd why) {
 // Before it moves, a step looks for two ends. Weights that move no pair and still overlap prove
 // that the gaps contradict each other. And if no pair overlaps by more than the rounding of its own
 // terms, all conditions hold.
-// All rules but the harmonic one raise s with every step. If s falls by more than rounding
+// All rules but the literal and the harmonic one raise s with every step. If s falls by more than rounding
 // nevertheless, the iteration ends.
 bool WeightIteration::step() {
   if (end_ != WeightEnd::None) return false;

@@ -4,8 +4,8 @@
 // \f$ \varphi(a, b) = \sqrt{a^2 + b^2} - a - b \f$. So contact is as many equations as pairs, and
 // Newton's method may solve them. \f$ \varphi \f$ has a kink only where gap and force are both
 // zero. Elsewhere it weighs how wrong both numbers are, where the primal-dual active set only asks
-// which of them is larger. It needs more steps than that method, and with shortened steps it does
-// not cycle.
+// which of them is larger. Which of the two needs fewer steps depends on the problem; with shortened
+// steps this one does not cycle.
 //
 // One step by hand: G = 1, d = -1, from \f$ \lambda = 0 \f$. The gap is -1, so \f$ \varphi = 2 \f$,
 // and its slopes are -2 for the gap and -1 for the force. The slope along \f$ \lambda \f$ is

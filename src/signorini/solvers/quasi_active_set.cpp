@@ -1,9 +1,10 @@
 // # Quasi-active sets that end at the solution
 //
-// Xuan and Li (2002) let all pairs that overlap propose what to close next: the *quasi-active set*.
-// Whole groups then close in one step, where pivoting closes pairs one by one. Chapter 4 shows what
-// is printed and what goes wrong: each step moves the minimum of the energy and forgets the forces
-// before it, which then can only grow. The loop may never end, or end with too much energy.
+// Xuan and Li (2002) let pairs that overlap, with independent rows, propose what to close next: the
+// *quasi-active set*. Whole groups then close in one step, where pivoting closes pairs one by one.
+// Chapter 4 shows what is printed and what goes wrong. A step works with violated pairs only, so the
+// loop may never end. And it moves the minimum of the energy and forgets the forces before it, so the
+// loop may end with too much energy.
 //
 // Two changes make the idea finite and exact. Forces are kept from step to step and may vanish
 // again. And a group counts only if the dual energy rises,

@@ -7,8 +7,8 @@ namespace signorini {
 
 /// Solves a contact problem by letting whole groups of violated pairs join the closed ones.
 ///
-/// The idea is the paper's: the pairs that the present solution violates are a *quasi-active set*,
-/// which proposes what to close next, \PaperEq{XuanLi2002, 37}. Two things differ from its equations
+/// The idea is the paper's: a group of the pairs that the present solution violates, the *quasi-active
+/// set*, proposes what to close next, \PaperEq{XuanLi2002, 37}. Two things differ from its equations
 /// (30)-(36). The objective is never moved: forces of earlier steps are kept, and may vanish again.
 /// And a proposal counts only if the dual energy rises, as in a dual active-set method
 /// [\ref GoldfarbIdnani1983]. Each step
