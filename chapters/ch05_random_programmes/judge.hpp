@@ -29,7 +29,7 @@ inline KnownProgramme backwards(const Eigen::MatrixXd& K, const Eigen::MatrixXd&
 struct Run {
   bool right = false;  ///< solved, with a certificate, at what was put in
   double steps = 0;    ///< pivots, pairs that joined or left, or steps of the quasi-active set
-  double factorisations = 0;  ///< dense ones
+  double factorisations = 0;  ///< dense ones, solves with a factor that is updated included
   double closed = 0;          ///< rows
   double seconds = 0;         ///< wall time
   double deviation = 0;       ///< |f / f* - 1|

@@ -98,8 +98,8 @@ struct WeightLine {
 /// instead; the last rule takes that vertex into the face and goes to the best point there.
 enum class WeightRule {
   LiteralVertex,   ///< jump to that vertex, as the paper says
-  Harmonic,        ///< go 2/(k+2) of the way in iteration k = 0, 1, ... [\ref FrankWolfe1956]
-  LineSearch,      ///< go as far as best_step()
+  Harmonic,        ///< go 2/(k+2) of the way in iteration k = 0, 1, ...
+  LineSearch,      ///< go as far as best_step() [\ref FrankWolfe1956]
   AwaySteps,       ///< or away from the worst vertex in use [\ref LacosteJulienJaggi2015]
   Pairwise,        ///< move weight from the worst vertex in use to the best one, same source
   FullyCorrective  ///< the best point of the face of all vertices in use

@@ -42,8 +42,8 @@ WeightIteration::WeightIteration(const ContactProblem& problem, WeightRule rule)
   evaluate();
 }
 
-// A step changes \f$ G\xi \f$ by one column of G, which costs little and collects rounding. Now and
-// then it is computed anew.
+// A step changes \f$ G\xi \f$ by a column of G or two, which costs little and collects rounding. Now and
+// then, and in the last rule at every step, it is computed anew.
 void WeightIteration::renew() {
   if (weights_.size() > 0 && weights_.sum() > 0) weights_ /= weights_.sum();
   product_.noalias() = problem_.compliance * weights_;

@@ -18,8 +18,9 @@ enum class WeightEnd {
   Still       ///< no step raises s by more than rounding
 };
 
-/// Weights on the simplex that change by one rule. A step costs one column of G, a few sums over all
-/// pairs, and in the last rule triangular solves with the vertices in use.
+/// Weights on the simplex that change by one rule. A step costs one column of G, in the pairwise rule
+/// two, and a few sums over all pairs; in the last rule a product with G and triangular solves with the
+/// vertices in use.
 class WeightIteration {
  public:
   /// Starts at start_weights(), or at the vertex with the largest overlap for the last rule.

@@ -20,8 +20,9 @@ struct Rest {
 /// Four conditions make a solution: equilibrium K u + A^T lambda = p, no overlap g - A u >= 0, no
 /// tension lambda >= 0, and lambda = 0 wherever the gap is open. For a set W of closed pairs
 /// equilibrium and A_W u = g_W determine u and lambda; the set is right if the rest holds as well,
-/// up to rounding. The answer does not depend on units or on the scale of a row of A. If rows of A
-/// depend on each other, lambda is not unique and any solution will do; u is always unique.
+/// up to rounding. Neither units nor the scale of a row of A and its gap decide what is closed: u stays, and
+/// the force of a row times r is 1/r of what it was. If rows of A depend on each other, lambda need not be
+/// unique and any solution will do; u is always unique.
 /// \param stiffness   K `n x n`, symmetric positive definite [force/length]
 /// \param load        p `n` [force]
 /// \param A           `n_c x n`: gap = initial_gap - A u [-]; rows may repeat, scale or vanish
