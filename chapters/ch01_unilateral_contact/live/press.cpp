@@ -34,7 +34,7 @@ Panel picture_of(const Request& now, const Model& model, const Solution& solutio
                 now["radius"] * (angle.array().sin() - 1));
   picture.curve("plate, rigid", Look::Solid, Vector4d(-20, 20, 20, -20),
                 Vector4d(top, top, top + 1.4, top + 1.4));
-  picture.bodies(model, solution, 1.5);
+  picture.bodies(model, solution, 1.2);
   picture.pressure(model, solution, 6);
   picture.drag = {{"depth", 0, -1, 20}};
   picture.grab = true;
@@ -47,11 +47,11 @@ Answer go_down(const Request& now) {
   const Resultants sum = resultants(block.model, solution);
   const VectorXd x = block.model.pairs.position.col(0);
   Panel pressure{"Contact pressure along the base", "x [mm]", "pressure [N/mm\u00b2]"};
-  pressure.window = {-20.5, 20.5, 0, 2.4};
+  pressure.window = {-20.5, 20.5, 0, 1.8};
   pressure.curve("", Look::Line, x, solution.pressure);
   pressure.points("pairs", x, solution.pressure, solution.contact.force);
   Panel force{"Twice as deep is not twice the force", "depth [mm]", "contact force [N]"};
-  force.window = {0, deepest, 0, 50};
+  force.window = {0, deepest, 0, 30};
   force.trail("depths so far", text(now["radius"], " mm, ", now["shift"], " mm"), now["depth"],
               sum.force.y());
 

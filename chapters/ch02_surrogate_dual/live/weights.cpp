@@ -63,11 +63,11 @@ Answer trade_off(const Request& now) {
   mark(triangle, "these weights", Look::Here, xi);
   const Vector3d x(-20, 0, 20);  // of the nodes of the base
   Panel forces{"Contact forces", "x [mm]", "force [N]"};
-  forces.window = {-22, 22, 0, 20};
+  forces.window = {-22, 22, 0, 12};
   forces.curve("solution", Look::Cross, x, block.force);
   forces.curve("these weights", Look::Closed, x, force);
   Panel gaps{"Gaps that are left", "x [mm]", "gap [mm], overlap < 0"};
-  gaps.window = {-22, 22, -0.8, 1.5};
+  gaps.window = {-22, 22, -1.2, 0.8};
   gaps.curve("closed", Look::Dotted, Vector2d(x.minCoeff(), x.maxCoeff()), Vector2d(0, 0));
   gaps.curve("these weights", Look::Open, x, gap);
 

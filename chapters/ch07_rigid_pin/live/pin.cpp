@@ -28,7 +28,7 @@ Panel picture_of(const Request& now, const Bearing& found) {
   const double radius = hole_radius - now["clearance"];
   picture.curve("pin, rigid", Look::Solid, radius * angle.array().cos() + side * now["clearance"],
                 radius * angle.array().sin());
-  picture.body(body, u, body.mesh.nodes + u, 150);
+  picture.body(body, u, body.mesh.nodes + u, 125);
   std::vector<Index> hole = boundary_nodes(body.mesh, "hole");  // from the left to the right
   if (side > 0) std::reverse(hole.begin(), hole.end());
   const NodeArray before = body.mesh.nodes(hole, Eigen::all);

@@ -50,6 +50,7 @@ Facing facing(const TargetSearch& search, const Mesh& mesh, const Vector2d& node
 Panel picture_of(const Facing& here, const Vector2d& node, const Mesh& mesh) {
   Panel picture{"Node 3 and the target", "x [mm]", "y [mm]", true};
   picture.window = {-5.5, 5.5, -2, 6};
+  picture.clips = true;
   picture.drag = {{"x", 1, 0}, {"y", 0, 1}};
   const NodeArray top = mesh.nodes.bottomRows(3);
   VectorXd outline_x(5), outline_y(5);

@@ -98,7 +98,7 @@ Answer compress(const Request& now) {
   near.pressure(out.run.model, solution, 0.025);
   Panel gap{"Gap", "x [mm]", "gap [\u00b5m]"};
   const VectorXd micrometres = 1000 * solution.contact.gap;
-  gap.window = {0, widest, -3, 25};
+  gap.window = {0, widest, -1, 15};
   gap.clips = true;
   gap.points("pairs", out.run.model.pairs.position.col(0)(near_pairs), micrometres(near_pairs),
              solution.contact.force(near_pairs));

@@ -65,10 +65,10 @@ Answer widen(const Request& now) {
   Panel pressure{"Contact pressure along the rim", "angle [degrees]", "pressure [MPa]"};
   pressure.curve("closed form", Look::Dashed, arc, Vector2d(exact, exact));
   pressure.points("pairs", degrees, solution.pressure, solution.contact.force);
-  pressure.window = {-2, 92, 0, 140};
+  pressure.window = {-2, 92, 0, 110};
   pressure.clips = true;
   Panel gap{"Gap along the rim", "angle [degrees]", "gap [cm]"};
-  gap.window = {-2, 92, -0.06, 0.32};
+  gap.window = {-2, 92, -0.06, 0.36};
   gap.curve("closed form", Look::Dashed, arc, Vector2d(left, left));
   gap.curve("before loading", Look::Cross, degrees, run.model.pairs.initial_gap);
   gap.points("pairs", degrees, solution.contact.gap, solution.contact.force);
@@ -87,7 +87,7 @@ Answer widen(const Request& now) {
   answer.number("u_exact", "closed form", inner_rim(theory), "cm", "%.5f");
   answer.solution(solution, press > 0 || now["gap"] > 0);
   Panel closing{"Pressure over load", "load p [MPa]", "contact pressure, mean [MPa]"};
-  closing.window = {0, 180, 0, 140};
+  closing.window = {0, 180, 0, 100};
   const VectorXd loads = VectorXd::LinSpaced(181, 0, 180);
   closing.curve("closed form", Look::Dashed, loads, loads.unaryExpr([&theory](double load) {
     NestedRings then = theory;

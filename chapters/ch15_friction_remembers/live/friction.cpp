@@ -44,7 +44,7 @@ Panel shear(const Way& way, std::size_t last) {
   const VectorXd bound = most * (1 - (fine / b).array().square()).max(0).sqrt();
   const auto exact = [&](double at) { return way.known.shear(times[last], at); };
   Panel panel{"Shear on the plate", "x [mm]", "shear [MPa]"};
-  panel.window = {-1.05, 1.05, -40, 40};
+  panel.window = {-1.05, 1.05, -15, 15};
   panel.curve("what friction bears", Look::Dotted, fine, bound);
   panel.curve("", Look::Dotted, fine, -bound);
   panel.curve("closed form", Look::Dashed, fine, fine.unaryExpr(exact));
@@ -64,7 +64,7 @@ Panel loop(const Way& way, std::size_t last) {
     push(k) = way.known.push().at(then.state.time) / slip_limit(way.known.slip);
   }
   Panel panel{"The way so far", "slip, mean over the contact [nm]", "push / \u03bcP"};
-  panel.window = {-150, 150, -1, 1};
+  panel.window = {-500, 500, -1, 1};
   panel.clips = true;
   panel.curve("steps so far", Look::Line, slip, push);
   panel.curve("now", Look::Here, slip.tail(1), push.tail(1));
@@ -92,8 +92,8 @@ Panel stick_map(const Way& way, std::size_t last) {
 Panel cylinder_of(const Way& way, std::size_t last) {
   Panel panel{"Cylinder and plate near the contact, to scale", "x [mm]", "y [mm]", true};
   panel.window = {-1.5, 1.5, -1.1, 1.1};
-  panel.bodies(way.scene.model, way.steps[last].solution, 40);
-  panel.pressure(way.scene.model, way.steps[last].solution, 0.012);
+  panel.bodies(way.scene.model, way.steps[last].solution, 12);
+  panel.pressure(way.scene.model, way.steps[last].solution, 0.035);
   return panel;
 }
 

@@ -72,7 +72,7 @@ Answer pay(const Request& now) {
   Panel curves{"Error and price", counted ? "unknowns" : "operations",
                "error of the pressure [% of q\u2080]"};
   curves.log_x = curves.log_y = true;
-  curves.window = {counted ? 100. : 1e4, counted ? 2e4 : 1e9, 1e-3, 100};
+  curves.window = {counted ? 80. : 5e4, counted ? 2e4 : 2e8, 0.02, 100};
   for (std::size_t k = 0; k < elements.size(); ++k) {
     curves.curve(elements[k], looks[k], column(lines[k], cost), column(lines[k], &Point::error));
     const double one = price(lines[k], 1, cost);

@@ -45,7 +45,7 @@ Answer switched(const Request& now) {
   Panel pressure{"Contact pressure", "x [mm]", "pressure [MPa]"};
   const VectorXd x = run.model.pairs.position.col(0);
   const VectorXd fine = VectorXd::LinSpaced(161, 0, 1.6);
-  pressure.window = {0, 1.6, 0, 60};
+  pressure.window = {0, 1.6, 0, 40};
   pressure.clips = true;
   pressure.curve("Hertz, for the same force", Look::Dashed, fine,
                  theory(now, std::abs(sum.force.y()), fine));
