@@ -116,7 +116,8 @@ onmessage = async ({ data }) => {
   function arrange(places, tabs, panels) {
     while (places.children.length > panels.length) places.lastChild.remove();
     while (places.children.length < panels.length) places.append(el("div"));
-    const wide = panel => panel.equal && panel.window[3] - panel.window[2] < 0.4 * (panel.window[1] - panel.window[0]), narrow = panels.filter(p => !wide(p));
+    const wide = panel => panel.equal && panel.window[3] - panel.window[2] < 0.5 * (panel.window[1] - panel.window[0]), narrow = panels.filter(p => !wide(p));
+    places.classList.toggle("first-large", narrow.length === 3 && narrow[0] === panels[0] && !!panels[0].equal);
     panels.forEach((panel, k) => {
       places.children[k].classList.toggle("wide", wide(panel) || narrow.length === 1);
       places.children[k].classList.toggle("tall", narrow.length === 3 && panel === narrow[0]);
@@ -128,6 +129,7 @@ onmessage = async ({ data }) => {
   }
   function tell(parts, answer) {
     parts.numbers.replaceChildren(...answer.numbers.map(n => el("div", {}, el("dt", {}, n.label), el("dd", {}, `${n.text.replace(/^-/, "−")} ${n.unit}`.trim()))));
+    parts.notes.textContent = answer.notes ?? "";
     parts.table.replaceChildren(...answer.table.map((row, k) => el("tr", {}, ...row.map(cell => el(k ? "td" : "th", k ? {} : { scope: "col" }, cell ?? "")))));
   }
   // The series of a trail are kept by panel and layer.
@@ -151,8 +153,8 @@ onmessage = async ({ data }) => {
     const fields = Object.fromEntries(about.controls.map(c => [c.name, field(name, c)])), all = Object.values(fields), trails = memory();
     const form = el("form", { "aria-label": about.title }, ...all.map(f => f.whole), el("button", { type: "reset" }, "as at the beginning"));
     const places = el("div", { class: "live-panels" }), tabs = el("div", { class: "live-tabs", role: "group", "aria-label": "panels" }), says = el("p", { role: "status", "aria-live": "polite" });
-    const parts = { numbers: el("dl"), table: el("table") };
-    const whole = [el("h3", {}, about.title), form, says, tabs, places, parts.numbers, el("div", { class: "live-table" }, parts.table),
+    const parts = { numbers: el("dl"), table: el("table"), notes: el("p", { class: "live-notes" }) };
+    const whole = [el("h3", {}, about.title), form, says, tabs, places, parts.numbers, el("div", { class: "live-table" }, parts.table), parts.notes,
       el("div", { class: "source" }, "computed by ", el("a", { href: live.dataset.source }, live.dataset.label))];
     let last, busy = false, wish = null, drawn = asked()[0] === name ? {} : null, timer = 0, players = [];
     const reveal = line => {

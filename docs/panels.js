@@ -34,7 +34,7 @@
   }
   function frameOf(place, panel) {
     const [x0, x1, y0, y1] = panel.window, left = 60, right = 12, top = 10, bottom = 40;
-    const tall = place.clientWidth > 420 && (place.classList.contains("tall") || place.classList.contains("asked"));
+    const tall = place.clientWidth > 380 && (place.classList.contains("tall") || place.classList.contains("asked"));
     let inner = Math.max(260, place.clientWidth) - left - right, height = panel.equal ? inner * (y1 - y0) / (x1 - x0) : tall ? 430 : 190;
     const most = tall ? 560 : 340;
     if (panel.equal && height > most) { inner *= most / height; height = most; }
@@ -43,11 +43,14 @@
   }
   function axes(frame, panel) {
     const { X, Y, left, inner, top, height, end, h } = frame;
-    return X.ticks.map(([v, words]) => `<path class="grid" d="M${round(X.at(v))} ${top}V${end}"/><text x="${round(X.at(v))}" y="${end + 15}" text-anchor="middle">${words}</text>`)
-      .concat(Y.ticks.map(([v, words]) => `<path class="grid" d="M${left} ${round(Y.at(v))}H${left + inner}"/><text x="${left - 5}" y="${round(Y.at(v) + 4)}" text-anchor="end">${words}</text>`),
+    return X.ticks.map(([v, words]) => `<text x="${round(X.at(v))}" y="${end + 15}" text-anchor="middle">${words}</text>`)
+      .concat(Y.ticks.map(([v, words]) => `<text x="${left - 5}" y="${round(Y.at(v) + 4)}" text-anchor="end">${words}</text>`),
         `<text x="${left + inner / 2}" y="${h - 6}" text-anchor="middle">${safe(panel.x)}</text>`,
         `<text transform="translate(11 ${top + height / 2}) rotate(-90)" text-anchor="middle">${safe(panel.y)}</text>`).join("");
   }
+
+  const grid = ({ X, Y, left, inner, top, end }) => X.ticks.map(([v]) => `<path class="grid" d="M${round(X.at(v))} ${top}V${end}"/>`)
+    .concat(Y.ticks.map(([v]) => `<path class="grid" d="M${left} ${round(Y.at(v))}H${left + inner}"/>`)).join("");
 
   // 2. Cells, on the canvas.  A body keeps some colour where nothing strains it.
   const rgb = words => words.match(/[\d.]+/g).slice(0, 3).map(Number);
@@ -158,23 +161,25 @@
   }
 
   // 5. A panel.  `with`: what a pointer moves, what was visited, what the reader has drawn.
-  function stageOf(place, panel, frame, inside) {
-    const id = "clip-" + Math.random().toString(36).slice(2), stage = el("div", { class: "live-stage", style: `width:${frame.w}px;height:${frame.h}px` });
-    stage.innerHTML = `<svg width="${frame.w}" height="${frame.h}" role="img" aria-label="${safe(panel.title)}"><clipPath id="${id}">` +
-      `<rect x="${frame.left - 4}" y="${frame.top - 4}" width="${frame.inner + 8}" height="${frame.height + 8}"/></clipPath>${axes(frame, panel)}` +
-      `<g clip-path="url(#${id})">${inside}</g></svg>`;
+  function stageOf(place, panel, frame, lines, points = "") {
+    const id = "clip-" + Math.random().toString(36).slice(2), clip = (name, room) => `<clipPath id="${id}${name}"><rect x="${frame.left - room}" y="${frame.top - room}" ` +
+      `width="${frame.inner + 2 * room}" height="${frame.height + 2 * room}"/></clipPath>`, stage = el("div", { class: "live-stage", style: `width:${frame.w}px;height:${frame.h}px` });
+    stage.innerHTML = `<svg width="${frame.w}" height="${frame.h}" aria-hidden="true">${grid(frame)}</svg><svg width="${frame.w}" height="${frame.h}" role="img" aria-label="${safe(panel.title)}">${clip("l", 1)}${clip("p", 9)}${axes(frame, panel)}` +
+      `<g clip-path="url(#${id}l)">${lines}</g><g clip-path="url(#${id}p)">${points}</g></svg>`;
     return stage;
   }
   function draw(place, panel, arrays, { drag, visited, guess }) {
     const frame = frameOf(place, panel);
-    let lines = "";
-    for (const solid of [true, false])
-      for (const layer of panel.layers)
-        if (!layer.corners && (layer.look === "solid") === solid)
-          lines += layer.look === "trail" ? trail(frame, layer, visited(panel, layer)) : shape(frame, layer, arrays[layer.x], arrays[layer.y]);
+    let lines = "", points = "";
+    for (const layer of panel.layers) {
+      if (layer.corners) continue;
+      if (layer.look === "trail") points += trail(frame, layer, visited(panel, layer));
+      else if (marks[layer.look]) points += shape(frame, layer, arrays[layer.x], arrays[layer.y]);
+      else lines += shape(frame, layer, arrays[layer.x], arrays[layer.y]);
+    }
     if (guess) lines += line("guess", guess.map(([x, y]) => [frame.X.at(x), frame.Y.at(y)].map(round)));
-    const stage = stageOf(place, panel, frame, lines), words = legend(place, panel);
-    stage.prepend(canvas(place, frame, panel, arrays));
+    const stage = stageOf(place, panel, frame, lines, points), words = legend(place, panel);
+    stage.firstChild.after(canvas(place, frame, panel, arrays));
     if (guess) words.append(sample({ look: "guess", label: "your guess" }));
     if (panel.drag.length) pull(stage, frame, panel, drag);
     place.replaceChildren(el("h4", {}, panel.title), stage, words);

@@ -124,7 +124,7 @@ void Answer::solution(const signorini::Solution& solved, bool determined) {
   for (std::string note : solved.notes) {  // sentences of the library begin small and end open
     if (!note.empty())
       note[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(note[0])));
-    says += " " + note + (!note.empty() && note.back() == '.' ? "" : ".");
+    notes += (notes.empty() ? "" : " ") + note + (!note.empty() && note.back() == '.' ? "" : ".");
   }
 }
 
@@ -217,7 +217,7 @@ void write(const Panel& panel, Json& json, std::vector<VectorXd>& arrays) {
 }
 
 void write(const Answer& answer, Json& json, std::vector<VectorXd>& arrays) {
-  json.key("says").value(answer.says).key("numbers").array();
+  json.key("says").value(answer.says).key("notes").value(answer.notes).key("numbers").array();
   for (const Number& number : answer.numbers) {
     json.object().key("name").value(number.name).key("label").value(number.label);
     json.key("value").value(number.value).key("unit").value(number.unit);

@@ -209,7 +209,8 @@ struct Answer {
   std::vector<Set> sets;        ///< which browsers must find exactly as the native program does
   std::vector<Panel> panels;    ///< drawn side by side
   std::vector<std::vector<std::string>> table =
-      {};  ///< its first row names the columns; none if empty
+      {};                  ///< its first row names the columns; none if empty
+  std::string notes = {};  ///< what the library remarks, below all else
 
   /// Adds a number. \param name,label,value,unit,format  see Number
   void number(std::string name, std::string label, double value, std::string unit = "",
@@ -217,7 +218,7 @@ struct Answer {
   /// Adds a number of the size of rounding. \param name,label,value,unit  see Number
   void rounding(std::string name, std::string label, double value, std::string unit = "");
   /// Adds what every solution shows: closed pairs, iterations and the worst entry of the certificate, the set of closed
-  /// pairs and, with friction, those that stick and that slide, and the notes behind `says`.
+  /// pairs and, with friction, those that stick and that slide, and the notes.
   /// \param solution  of the figure's scene
   /// \param determined  whether the problem says which pairs are closed; else that is shown, and not compared
   void solution(const signorini::Solution& solution, bool determined = true);

@@ -81,6 +81,7 @@ USES = """(async () => { %s const out = {}, $ = s => live.querySelector(s), all 
   $('.live-ask button').click();
   out.plays = [live.classList.contains('asks'), !!$('path.guess'), !!$('.playing')];
   for (let i = 0; i < 200 && $('.playing'); ++i) await wait(20);
+  out.high = live.getBoundingClientRect().height;
   out.end = [input.value, all('.live-stage .trail circle').length];
   await wait(400);
   out.address = location.hash;
@@ -129,7 +130,7 @@ PEEK = """(async () => { const wait = ms => new Promise(r => setTimeout(r, ms)),
   return JSON.stringify(out); })()"""
 
 
-ROOM = (824, 661)    # pixels of the figure of this test, at 1280 and at 390
+ROOM = (880, 680)    # pixels of the figure of this test, at 1280 and at 390
 
 
 def pack(text):
@@ -167,6 +168,7 @@ def used(check, found, width):
     check("a question hides the answer", found["asks"] == [True, 1, False, "Draw it.", True], found["asks"])
     check("a guess is drawn", found["drawn"] is False, found["drawn"])
     check("the answer comes with the guess, and plays", found["plays"] == [False, True, True], found["plays"])
+    check("the answer fits the room of the question", found["high"] <= ROOM[width < 600] + 2, found["high"])
     check("it plays to the end and leaves a trail", found["end"][0] == "1" and found["end"][1] == 6, found["end"])
     check("the state is in the address", found["address"] == "#live-press&load=1", found["address"])
     check("another series is another trail, on the same axes", found["other"] == [6, 1, True], found["other"])

@@ -147,6 +147,8 @@ def write_cover(book, text):
         printed = '<figure class="picture title-picture">%s<figcaption>%s</figcaption></figure>' % (
             book.picture("use", picture[3], html.escape(picture[2]))[0], text.html(picture[2], False))
         body += live(text, picture[1]) + folded(book, "The title picture", printed) if picture[1] else printed
+    if lead:
+        body += '<p class="lead">%s</p>' % text.html(" ".join(lead[1].split()), False)
     for title, _ in book.parts:
         rows = ""
         for name in (n for n in book.chapters if book.part_of(n) == title):
@@ -158,7 +160,6 @@ def write_cover(book, text):
         name, *numbered(words_of_evening(book, name)), text.html(" ".join(book.text[name].split("\n\n")[1].split()), False))
         for name in book.evenings[1:])
     body += '<section class="part"><h2>Reading the library</h2><ol>%s</ol></section>' % rows if rows else ""
-    head = '<header class="title"><h1>Signorini</h1><p class="lead">%s</p></header>' % (
-        text.html(" ".join(lead[1].split()), False) if lead else "")
+    head = '<header class="title"><h1>Signorini</h1></header>'
     main = re.sub(r"<math><mi>(\w)</mi></math>", r"<em>\1</em>", head + body)    # a letter needs no face of formulas
     write(book, "index", "a book that runs", main, text, "cover")

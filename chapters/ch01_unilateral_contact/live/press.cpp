@@ -75,7 +75,7 @@ Figure press() {
           "A block is pressed onto an obstacle",
           {playing(slider("depth", "top comes down by [mm]", 1, 0.05, deepest, 0.05)),
            slider("radius", "radius of the obstacle [mm]", 60, 20, 200, 5),
-           slider("shift", "middle of the obstacle at x [mm]", 0, -12, 12, 0.5),
+           slider("shift", "obstacle stands at x [mm]", 0, -12, 12, 0.5),
            choice("cells", "cells along the base", "32", {"8", "32", "64"})},
           go_down};
 }

@@ -79,7 +79,7 @@ Figure pin() {
            choice("load", "the load", "pulls", {"pulls", "presses"}),
            slider("clearance", "clearance \u03b5 [cm]", 0.2, 0.05, 0.4, 0.05),
            choice("cells", "cells along the half hole", "paper's", {"paper's", "36", "72"}),
-           toggle("exact", "the exact gap in the place of the linear one", false)},
+           toggle("exact", "exact gap, not the linear one", false)},
           bear};
 }
 

@@ -84,7 +84,7 @@ Figure footing() {
   return {"footing",
           "A footing on soil",
           {playing(slider("thickness", "thickness of the footing [m]", 2, 0.1, 2, 0.05)),
-           slider("stiffer", "modulus over that of the soil, 10 to the", 3, 0, 5, 0.5),
+           slider("stiffer", "stiffer than the soil by 10 to the", 3, 0, 5, 0.5),
            choice("cells", "cells under half of it", "7", {"7", "16", "30"}),
            choice("depth", "depth and width of the soil [m]", "15", {"15", "60"})},
           settle_down};

@@ -92,7 +92,7 @@ Panel stick_map(const Way& way, std::size_t last) {
 Panel cylinder_of(const Way& way, std::size_t last) {
   Panel panel{"Cylinder and plate near the contact, to scale", "x [mm]", "y [mm]", true};
   panel.window = {-1.5, 1.5, -1.1, 1.1};
-  panel.bodies(way.scene.model, way.steps[last].solution, 12);
+  panel.bodies(way.scene.model, way.steps[last].solution, 16);
   panel.pressure(way.scene.model, way.steps[last].solution, 0.035);
   return panel;
 }
@@ -124,7 +124,7 @@ Answer push_and_turn(const Request& now) {
 Figure friction() {
   return {"friction",
           "A push forth and back",
-          {playing(slider("step", "step: forth to 6, back to 18, forth to 30", 12, 0, 30, 1)),
+          {playing(slider("step", "step, turns at 6 and 18", 12, 0, 30, 1)),
            slider("coefficient", "coefficient of friction \u03bc", 0.3, 0.1, 0.8, 0.1),
            slider("turn", "the push turns at, over \u03bcP", 0.6, 0.1, 0.95, 0.05),
            toggle("memory", "slip counts from the step before", true)},

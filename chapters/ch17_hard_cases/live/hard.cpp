@@ -88,6 +88,8 @@ Answer visit(const Request& now) {
                   static_cast<double>(set.members.size()), "", "%.0f");
   marks(certificates, "certified", Look::Closed, verdicts[0].members, worst);
   marks(certificates, "refuted", Look::Cross, verdicts[2].members, worst);
+  for (Panel* panel : {&certificates, &gaps})  // many of them are rounding
+    for (Layer& layer : panel->layers) layer.varies = true;
   answer.sets = verdicts;
   answer.panels = {certificates};
   for (const Panel& panel : {forces, gaps})
