@@ -1,13 +1,9 @@
-// live.js: figures that compute.  <div class="live" data-figure="NAME"> before a printed figure becomes a form and panels; the page
-// keeps its room, and has the printed figure folded away below.  Without WebAssembly, workers or engine.js the page stays as it is.
+// live.js: figures that compute.  <div class="live" data-figure="NAME"> before a printed figure becomes a form and panels, which
+// panels.js draws; the page keeps its room, shows the printed figure there until the first answer is painted, and has it folded
+// away below.  Without WebAssembly, workers or engine.js the page stays as it is.
 (function () {
   "use strict";
-  const el = (tag, attributes = {}, ...inside) => {
-    const e = document.createElement(tag);
-    for (const [k, v] of Object.entries(attributes)) e.setAttribute(k, v);
-    e.append(...inside);
-    return e;
-  };
+  const { el, draw, guess } = window.signoriniPanels;
 
   // 1. The engine: one worker for all figures of a page, started when the first of them comes near the screen.  A page that is
   //    opened from disk may not load a worker or a .wasm, but a script, and a worker made from its text.
@@ -67,170 +63,136 @@ onmessage = async ({ data }) => {
   let engine;
   const theEngine = () => engine ??= start();
 
-  // 2. Panels.  Cells are painted on a canvas, lines and points lie over it as SVG.  Shapes and dashes tell them apart, colours only
-  //    help; those come from the style sheet, so that light and dark are one picture.
-  const marks = {
-    closed: p => `<circle cx="${p[0]}" cy="${p[1]}" r="3"/>`, open: p => `<circle cx="${p[0]}" cy="${p[1]}" r="3"/>`,
-    cross: p => `<path d="M${p[0] - 5} ${p[1] - 5}l10 10m0 -10l-10 10"/>`,
-    here: p => `<circle cx="${p[0]}" cy="${p[1]}" r="7"/><circle class="dot" cx="${p[0]}" cy="${p[1]}" r="1.5"/>`
-  };
-  const short = (v, step = 0) => {  // as many digits as tell a number from the next tick
-    if (v === 0 || Math.abs(v) < 1e-9 * step) return "0";
-    const digits = Math.max(2, step ? Math.ceil(Math.log10(Math.abs(v) / step)) + 2 : 4);
-    return Math.abs(v) >= 1e4 || Math.abs(v) < 1e-3 ? v.toExponential(Math.min(digits, 6) - 1).replace(/\.?0*e/, "e") : String(+v.toPrecision(digits));
-  };
-  const safe = text => text.replace(/[&<>"]/g, c => `&#${c.charCodeAt(0)};`);
-  function axis(low, high, log, from, to, apart) {  // values to pixels and back, and places for numbers, so many pixels apart
-    const f = log ? Math.log10 : v => v, back = log ? v => 10 ** v : v => v;
-    let [a, b] = [f(low), f(high)];
-    if (!(b > a)) [a, b] = [a - (Math.abs(a) || 1) / 2, b + (Math.abs(b) || 1) / 2];
-    const raw = (b - a) / (Math.abs(to - from) / apart), power = 10 ** Math.floor(Math.log10(raw));
-    const step = log ? Math.max(1, Math.round(raw)) : [1, 2, 5, 10].find(m => m * power >= raw * 0.999) * power, ticks = [];
-    for (let k = Math.ceil(a / step - 1e-9); k * step <= b + 1e-9 * step; ++k) ticks.push(back(+(k * step).toPrecision(12)));
-    return { ticks: ticks.map(v => [v, short(v, log ? 0 : step)]), at: v => from + (f(v) - a) / (b - a) * (to - from), value: p => back(a + (p - from) / (to - from) * (b - a)) };
-  }
-  function windowOf(panel, arrays) {
-    if (panel.window.length) return panel.window;
-    const box = [Infinity, -Infinity, Infinity, -Infinity];
-    for (const layer of panel.layers)
-      [[layer.x, 0, panel.log_x], [layer.y, 2, panel.log_y]].forEach(([name, k, log]) => {
-        for (const v of arrays[name])
-          if (Number.isFinite(v) && !(log && v <= 0)) { box[k] = Math.min(box[k], v); box[k + 1] = Math.max(box[k + 1], v); }
-      });
-    for (const [k, log] of [[0, panel.log_x], [2, panel.log_y]]) {
-      const room = 0.04 * (box[k + 1] - box[k]);
-      if (log) { box[k] /= 1.2; box[k + 1] *= 1.2; }
-      else { box[k] -= room; box[k + 1] += room; }
-    }
-    return box;
-  }
-  function draw(place, panel, arrays, drag) {
-    const box = windowOf(panel, arrays), width = Math.max(260, place.clientWidth), left = 60, right = 12, top = 10, bottom = 40;
-    const aspect = (box[3] - box[2]) / (box[1] - box[0]);
-    let inner = width - left - right, height = panel.equal ? inner * aspect : 190;
-    if (panel.equal && height > 340) { height = 340; inner = height / aspect; }
-    const w = inner + left + right, h = height + top + bottom, ratio = window.devicePixelRatio || 1;
-    const X = axis(box[0], box[1], panel.log_x, left, left + inner, 55), Y = axis(box[2], box[3], panel.log_y, top + height, top, 40);
-    const canvas = el("canvas", { "aria-hidden": "true" }), style = getComputedStyle(place);
-    canvas.width = w * ratio; canvas.height = h * ratio;
-    canvas.style.width = w + "px"; canvas.style.height = h + "px";
-    const paint = canvas.getContext("2d");
-    paint.scale(ratio, ratio);
-    paint.rect(left, top, inner, height);
-    paint.clip();
-    paint.strokeStyle = style.getPropertyValue("--live-mesh");
-    paint.lineWidth = 0.5;
-    let lines = "";
-    const legend = el("ul", { class: "live-legend" }), scale = {};
-    for (const layer of panel.layers.filter(l => l.corners)) {  // layers with the same words share a scale
-      const words = layer.label.replace(/^.*, /, "");
-      for (const v of arrays[layer.value]) if (Number.isFinite(v)) (scale[words] ??= []).push(v);
-    }
-    for (const words in scale) {
-      const [least, most] = scale[words].reduce(([a, b], v) => [Math.min(a, v), Math.max(b, v)], [Infinity, -Infinity]);
-      scale[words] = Math.max(Math.abs(least), Math.abs(most)) || 1;
-      legend.append(el("li", {}, `${words}: ${short(least)} (${least < 0 ? "blue, hatched" : "faint"}) to ${short(most)} (${least < 0 ? "red" : "strong"})`));
-    }
-    for (const layer of panel.layers) {
-      const x = arrays[layer.x], y = arrays[layer.y];
-      if (layer.corners) {
-        const value = arrays[layer.value], largest = scale[layer.label.replace(/^.*, /, "")], fine = value.length > 2500;
-        for (let k = 0, n = 0; k < value.length; ++k) {
-          paint.beginPath();
-          for (let c = 0; c < layer.corners; ++c, ++n) paint.lineTo(X.at(x[n]), Y.at(y[n]));
-          if (!Number.isFinite(value[k])) continue;
-          paint.closePath();
-          const colour = style.getPropertyValue(value[k] < 0 ? "--live-below" : "--live-above");
-          paint.fillStyle = `rgb(${colour} / ${Math.sqrt(Math.abs(value[k]) / largest).toFixed(3)})`;
-          paint.fill();
-          if (value[k] < 0 && !fine) {  // hatched, for those who see no colours
-            paint.moveTo(X.at(x[n - layer.corners]), Y.at(y[n - layer.corners]));
-            paint.lineTo(X.at(x[n - layer.corners + 2]), Y.at(y[n - layer.corners + 2]));
-          }
-          if (!fine) paint.stroke();
-        }
-        continue;
-      }
-      const pixels = Array.from(x, (v, k) => [X.at(v), Y.at(y[k])].map(p => +p.toFixed(1)));
-      if (marks[layer.look])
-        lines += pixels.map((p, k) => p.every(Number.isFinite) ? `<g class="${layer.look}"><title>${safe(layer.label)}: ` +
-          `${short(x[k])}, ${short(y[k])}</title>${marks[layer.look](p)}</g>` : "").join("");
-      else {
-        let pen = "M";
-        const path = pixels.map(p => { if (!p.every(Number.isFinite)) { pen = "M"; return ""; } const d = pen + p; pen = "L"; return d; });
-        lines += `<path class="${layer.look}" d="${path.join("")}"/>`;
-      }
-      if (layer.label) {
-        const sample = marks[layer.look] ? `<g class="${layer.look}">${marks[layer.look]([13, 7])}</g>` : `<path class="${layer.look}" d="M1 7H25"/>`;
-        const item = el("li", {}, " " + layer.label);
-        item.insertAdjacentHTML("afterbegin", `<svg width="26" height="14" aria-hidden="true">${sample}</svg>`);
-        legend.append(item);
-      }
-    }
-    const id = "clip-" + Math.random().toString(36).slice(2), end = top + height;
-    const numbers = X.ticks.map(([v, words]) => `<path class="grid" d="M${X.at(v)} ${top}V${end}"/><text x="${X.at(v)}" y="${end + 15}" text-anchor="middle">${words}</text>`)
-      .concat(Y.ticks.map(([v, words]) => `<path class="grid" d="M${left} ${Y.at(v)}H${left + inner}"/><text x="${left - 5}" y="${Y.at(v) + 4}" text-anchor="end">${words}</text>`));
-    const stage = el("div", { class: "live-stage", style: `width:${w}px;height:${h}px` }, canvas);
-    stage.insertAdjacentHTML("beforeend", `<svg width="${w}" height="${h}" role="img" aria-label="${safe(panel.title)}">` +
-      `<clipPath id="${id}"><rect x="${left - 4}" y="${top - 4}" width="${inner + 8}" height="${height + 8}"/></clipPath>${numbers.join("")}` +
-      `<g clip-path="url(#${id})">${lines}</g><text x="${left + inner / 2}" y="${h - 6}" text-anchor="middle">${safe(panel.x)}</text>` +
-      `<text transform="translate(11 ${top + height / 2}) rotate(-90)" text-anchor="middle">${safe(panel.y)}</text></svg>`);
-    if (panel.drag_x || panel.drag_y) {
-      const follow = event => {
-        const r = stage.getBoundingClientRect(), x = event.clientX - r.left, y = event.clientY - r.top;
-        if (!(event.buttons & 1) || x < left || x > left + inner || y < top || y > top + height) return;
-        drag(panel.drag_x, X.value(x), panel.drag_y, Y.value(y));
-        event.preventDefault();
-      };
-      stage.classList.add("drag");
-      stage.addEventListener("pointerdown", follow);
-      stage.addEventListener("pointermove", follow);
-    }
-    place.replaceChildren(el("h4", {}, panel.title), stage, legend);
-    place.classList.toggle("wide", panel.equal && aspect < 0.4);
-  }
-
-  // 3. A figure: controls, panels, numbers, and a sentence for all readers.  While the engine computes, only the newest wish waits.
+  // 2. A control: a slider, which may play, a list or a box.
   const spoken = name => name.replaceAll("_", " ");
   function field(figure, control) {
-    const id = `live-${figure}-${control.name}`, isBox = control.choices?.join() === "off,on";
-    if (isBox) {
+    const id = `live-${figure}-${control.name}`;
+    if (control.choices?.join() === "off,on") {
       const box = el("input", { id, type: "checkbox" });
       box.checked = box.defaultChecked = control.value === 1;
-      return { input: box, label: el("label", { for: id, class: "box" }, box, " " + control.label), value: () => box.checked ? "on" : "off" };
+      return { whole: el("label", { for: id, class: "box" }, box, " " + control.label), value: () => box.checked ? "on" : "off", put: v => { box.checked = v === "on"; }, first: box.checked ? "on" : "off" };
     }
     if (control.choices) {
       const list = el("select", { id }, ...control.choices.map((c, k) => el("option", k === control.value ? { value: c, selected: "" } : { value: c }, spoken(c))));
-      return { input: list, label: el("label", { for: id }, control.label, list), value: () => list.value };
+      return { whole: el("div", { class: "field" }, el("label", { for: id }, control.label), list), value: () => list.value, put: v => { list.value = v; }, first: list.value };
     }
     const range = el("input", { id, type: "range", min: control.least, max: control.most, step: control.step, value: control.value });
-    const shown = el("output", { for: id, "aria-live": "off" }, range.value);
-    return { input: range, label: el("label", { for: id }, el("span", {}, control.label + " ", shown), range), value: () => range.value,
-      show: () => { shown.textContent = range.value; } };
+    const shown = el("output", { for: id, "aria-live": "off" }, range.value), play = control.plays && el("button", { type: "button", class: "play", "aria-label": "play: " + control.label });
+    return { whole: el("div", { class: "field" }, el("label", { for: id }, control.label + " ", shown), el("span", {}, range, play || "")), value: () => range.value, range, play,
+      put: v => { range.value = v; }, first: range.value, show: () => { shown.textContent = range.value.replace("-", "−"); } };
   }
+  // Plays a slider from where it stands, or from its begin, to its end, each step when the one before is painted.
+  function player(live, f, moved) {
+    const { range, play } = f, steps = Math.round((range.max - range.min) / range.step), by = Math.ceil(steps / 80) * range.step;
+    let running = 0;
+    const stop = () => { running = 0; play.classList.remove("playing"); };
+    async function run() {
+      const mine = running = performance.now();
+      play.classList.add("playing");
+      if (+range.value >= +range.max) range.value = +range.min - by;
+      while (running === mine && +range.value < +range.max) {
+        const painted = new Promise(done => live.addEventListener("answered", done, { once: true })), begin = performance.now();
+        range.value = Math.max(+range.min, +range.value + by);
+        moved();
+        await painted;
+        await new Promise(done => setTimeout(done, Math.max(0, 90 - performance.now() + begin)));
+      }
+      if (running === mine) stop();
+    }
+    play.onclick = () => running ? stop() : run();
+    return { run, stop };
+  }
+
+  // 3. The state of a figure in the address: #live-NAME&load=2&cells=100, only what is not as at the beginning.
+  const asked = () => { const [name, ...settings] = decodeURIComponent(location.hash.slice(1)).split("&"); return [name.replace(/^live-/, ""), settings.map(s => s.split("="))]; };
+  const address = (name, fields) => "#live-" + [name, ...Object.entries(fields).filter(([, f]) => f.value() !== f.first).map(([n, f]) => `${n}=${f.value()}`)].join("&");
+  function put(fields, settings) {
+    for (const f of Object.values(fields)) f.put(f.first);
+    for (const [n, v] of settings) if (Object.hasOwn(fields, n)) fields[n].put(v);
+  }
+
+  // 4. What a figure shows.  With three panels side by side the first takes two rows, and none of the room is left blank; on a phone
+  //    one is seen at a time.
+  function arrange(places, tabs, panels) {
+    while (places.children.length > panels.length) places.lastChild.remove();
+    while (places.children.length < panels.length) places.append(el("div"));
+    const wide = panel => panel.equal && panel.window[3] - panel.window[2] < 0.5 * (panel.window[1] - panel.window[0]), narrow = panels.filter(p => !wide(p));
+    places.classList.toggle("first-large", narrow.length === 3 && narrow[0] === panels[0] && !!panels[0].equal);
+    panels.forEach((panel, k) => {
+      places.children[k].classList.toggle("wide", wide(panel) || narrow.length === 1);
+      places.children[k].classList.toggle("tall", narrow.length === 3 && panel === narrow[0]);
+    });
+    const shown = Math.min(Math.max(0, [...tabs.children].findIndex(t => t.getAttribute("aria-pressed") === "true")), panels.length - 1);
+    if ([...tabs.children].map(t => t.textContent).join("\n") !== panels.map(p => p.title).join("\n"))
+      tabs.replaceChildren(...panels.map(p => el("button", { type: "button" }, p.title)));
+    [...tabs.children].forEach((t, k) => { t.setAttribute("aria-pressed", k === shown); places.children[k].classList.toggle("shown", k === shown); });
+  }
+  function tell(parts, answer) {
+    parts.numbers.replaceChildren(...answer.numbers.map(n => el("div", {}, el("dt", {}, n.label), el("dd", {}, `${n.text.replace(/^-/, "−")} ${n.unit}`.trim()))));
+    parts.notes.textContent = answer.notes ?? "";
+    parts.table.replaceChildren(...answer.table.map((row, k) => el("tr", {}, ...row.map(cell => el(k ? "td" : "th", k ? {} : { scope: "col" }, cell ?? "")))));
+  }
+  // The series of a trail are kept by panel and layer.
+  function memory() {
+    const visited = new Map();
+    const of = (panel, layer) => { const key = panel.title + "\n" + layer.label; if (!visited.has(key)) visited.set(key, new Map()); return visited.get(key); };
+    const visit = (panel, layer, arrays) => {
+      const series = of(panel, layer), x = arrays[layer.x][0], y = arrays[layer.y][0];
+      if (!series.has(layer.series)) series.set(layer.series, new Map());
+      series.get(layer.series).set(x, y);
+    };
+    const add = ({ answer, arrays }) => answer.panels.forEach(p => p.layers.forEach(l => { if (l.look === "trail") visit(p, l, arrays); }));
+    return { add, of, clear: () => visited.clear() };
+  }
+
+  // 5. A figure: controls, panels, numbers, and a sentence for all readers.  While the engine computes, only the newest wish waits.
+  const mounted = new Map();
   async function mount(live) {
     const name = live.dataset.figure, about = (await (await theEngine()).ask(`figure ${name}`)).answer;
     if (about.error) throw new Error(about.error);
-    const fields = Object.fromEntries(about.controls.map(c => [c.name, field(name, c)])), all = Object.values(fields);
-    const form = el("form", { "aria-label": about.title }, ...all.map(f => f.label), el("button", { type: "reset" }, "as at the beginning"));
-    const panels = el("div", { class: "live-panels" }), numbers = el("dl"), table = el("table"), says = el("p", { role: "status", "aria-live": "polite" });
-    let last, busy = false, wish = null;
+    const fields = Object.fromEntries(about.controls.map(c => [c.name, field(name, c)])), all = Object.values(fields), trails = memory();
+    const form = el("form", { "aria-label": about.title }, ...all.map(f => f.whole), el("button", { type: "reset" }, "as at the beginning"));
+    const places = el("div", { class: "live-panels" }), tabs = el("div", { class: "live-tabs", role: "group", "aria-label": "panels" }), says = el("p", { role: "status", "aria-live": "polite" });
+    const parts = { numbers: el("dl"), table: el("table"), notes: el("p", { class: "live-notes" }) };
+    const whole = [el("h3", {}, about.title), form, says, tabs, places, parts.numbers, el("div", { class: "live-table" }, parts.table), parts.notes,
+      el("div", { class: "source" }, "computed by ", el("a", { href: live.dataset.source }, live.dataset.label))];
+    let last, busy = false, wish = null, drawn = asked()[0] === name ? {} : null, timer = 0, players = [];
+    const reveal = line => {
+      drawn = { line };
+      show();
+      if (line && last.answer.panels.some(p => p.question && p.layers.some(l => l.look === "trail"))) players[0]?.run();
+    };
     const show = () => {
-      if (!last || last.answer.error) return;
-      while (panels.children.length > last.answer.panels.length) panels.lastChild.remove();
-      while (panels.children.length < last.answer.panels.length) panels.append(el("div"));
-      last.answer.panels.forEach((panel, k) => panels.children[k].classList.toggle("wide", panel.equal && panel.window.length === 4 &&
-        panel.window[3] - panel.window[2] < 0.4 * (panel.window[1] - panel.window[0])));
-      last.answer.panels.forEach((panel, k) => draw(panels.children[k], panel, last.arrays, drag));
+      if (!last || !live.contains(places)) return;
+      const open = drawn ? -1 : last.answer.panels.findIndex(p => p.question), visited = (panel, layer) => new Map([...trails.of(panel, layer)].map(([s, points]) => [s, [...points]]));
+      live.classList.toggle("asks", open >= 0);
+      says.textContent = open >= 0 ? last.answer.panels[open].question : last.answer.says;
+      if (open >= 0 && places.children[open]?.querySelector(".live-ask")) return;
+      arrange(places, tabs, last.answer.panels);
+      last.answer.panels.forEach((panel, k) => {
+        places.children[k].classList.toggle("asked", k === open);
+        if (k === open) guess(places.children[k], panel, reveal);
+        else if (open < 0) draw(places.children[k], panel, last.arrays, { drag, visited, guess: panel.question ? drawn?.line : null });
+      });
     };
     const ask = () => {
       for (const f of all) f.show?.();
       wish = [name, ...Object.entries(fields).map(([n, f]) => `${n}=${f.value()}`)].join(" ");
       if (!busy) go();
     };
-    const drag = (...to) => {
-      for (const [control, value] of [to.slice(0, 2), to.slice(2)]) if (control) fields[control].input.value = value;
+    const moved = () => {
+      clearTimeout(timer);
+      timer = setTimeout(() => history.replaceState(null, "", address(name, fields)), 300);
       ask();
+    };
+    let grip = {};
+    const drag = (to, kind) => {
+      players.forEach(p => p.stop());
+      for (const [control, value, from] of to) {
+        if (kind === "pointerdown") grip[control] = +fields[control].value() - (from ?? value);
+        fields[control].put(value + (from === null ? 0 : grip[control]));
+      }
+      moved();
     };
     async function go() {
       busy = true;
@@ -239,12 +201,13 @@ onmessage = async ({ data }) => {
         const words = wish;
         wish = null;
         const begin = performance.now(), got = await (await theEngine()).ask(words), failed = "error" in got.answer;
+        if (!live.contains(form)) live.replaceChildren(...whole);
         live.classList.toggle("failed", failed);
-        says.textContent = failed ? got.answer.error : got.answer.says;
-        if (!failed) {
+        if (failed) says.textContent = got.answer.error;
+        else {
           last = got;
-          numbers.replaceChildren(...got.answer.numbers.map(n => el("div", {}, el("dt", {}, n.label), el("dd", {}, `${n.text} ${n.unit}`.trim()))));
-          table.replaceChildren(...got.answer.table.map((row, k) => el("tr", {}, ...row.map(cell => el(k ? "td" : "th", k ? {} : { scope: "col" }, cell ?? "")))));
+          trails.add(got);
+          tell(parts, got.answer);
           show();
         }
         live.dispatchEvent(new CustomEvent("answered", { detail: { ...got, total: performance.now() - begin } }));
@@ -252,26 +215,51 @@ onmessage = async ({ data }) => {
       live.removeAttribute("aria-busy");
       busy = false;
     }
-    form.addEventListener("input", ask);
-    form.addEventListener("reset", () => setTimeout(ask));
+    players = all.filter(f => f.play).map(f => player(live, f, moved));
+    form.addEventListener("input", () => { players.forEach(p => p.stop()); moved(); });
+    form.addEventListener("reset", () => { players.forEach(p => p.stop()); trails.clear(); setTimeout(moved); });
     form.addEventListener("submit", event => event.preventDefault());
-    live.replaceChildren(el("h3", {}, about.title), form, says, panels, numbers, el("div", { class: "live-table" }, table),
-      el("div", { class: "source" }, "computed by ", el("a", { href: live.dataset.source }, live.dataset.label)));
+    tabs.addEventListener("click", event => {
+      if (!event.target.matches("button")) return;
+      for (const t of tabs.children) t.setAttribute("aria-pressed", t === event.target);
+      [...places.children].forEach((p, k) => p.classList.toggle("shown", tabs.children[k] === event.target));
+      if (event.isTrusted) show();
+    });
+    const set = settings => { players.forEach(p => p.stop()); drawn ??= {}; put(fields, settings); ask(); };
+    mounted.set(name, set);
+    if (asked()[0] === name) put(fields, asked()[1]);
     let width = live.clientWidth;
-    new ResizeObserver(() => { if (live.clientWidth !== width) { width = live.clientWidth; show(); } }).observe(live);
+    new ResizeObserver(() => { if (live.clientWidth !== width) { width = live.clientWidth; live.querySelector(".live-ask")?.remove(); show(); } }).observe(live);
     new MutationObserver(show).observe(document.documentElement, { attributeFilter: ["class"] });
     ask();
   }
+
+  // 6. The page: figures that come near are mounted; words that name a state of a figure lead to it.
+  function go() {
+    const [name, settings] = asked(), live = [...document.querySelectorAll("div.live")].find(e => e.dataset.figure === name);
+    if (!live) return;
+    const at = live.getBoundingClientRect();
+    if (at.top > innerHeight * 0.6 || at.bottom < innerHeight * 0.4) live.scrollIntoView();
+    mounted.get(name)?.(settings);
+  }
   addEventListener("DOMContentLoaded", () => {
+    if (!document.documentElement.classList.contains("computes")) return;
     const near = new IntersectionObserver((entries, observer) => entries.forEach(entry => {
       if (!entry.isIntersecting) return;
       observer.unobserve(entry.target);
-      mount(entry.target).catch(() => entry.target.remove());
+      mount(entry.target).catch(() => { entry.target.querySelector(".live-wait p")?.remove(); });
     }), { rootMargin: "300px" });
     document.querySelectorAll("div.live").forEach(live => {
-      live.append(el("p", { class: "live-wait" }, "This figure is being computed …"));
+      const printed = live.nextElementSibling?.querySelector("img")?.cloneNode();
+      live.append(el("div", { class: "live-wait" }, el("p", {}, "This figure is being computed …"), printed ?? ""));
       near.observe(live);
     });
+    document.querySelectorAll("span.set").forEach(words => {
+      const { figure, set } = words.dataset;
+      words.replaceWith(el("a", { class: "set", href: "#live-" + [figure, ...set.split(" ")].join("&") }, ...words.childNodes));
+    });
+    addEventListener("hashchange", go);
+    if (asked()[1].length || location.hash.startsWith("#live-")) go();
   });
   window.signoriniLive = theEngine;  // for the test
 })();

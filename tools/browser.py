@@ -134,7 +134,7 @@ class Tab:
     def visit(self, page, script):
         """Opens a page, notes what the browser complains about, and returns what the script returns."""
         b, events = self.browser, []
-        b.call("Page.navigate", self.session, events, url="file://" + urllib.parse.quote(os.path.join(self.folder, page)))
+        b.call("Page.navigate", self.session, events, url="file://" + urllib.parse.quote(os.path.join(self.folder, page), safe="/#&="))
         end = time.time() + 30
         while not any(e["method"] == "Page.loadEventFired" for e in events) and time.time() < end:
             event = b.message(self.session, end - time.time())

@@ -3,14 +3,15 @@
 
 Opens every page of BOOK (default build/book) that has a figure that computes, in headless Chromium, moves each control to its
 ends or through all its choices, asks what the .checks of the figure ask, and compares with what LIVE (default build/bin/live),
-the same code compiled for this machine, answers: sets exactly, numbers to 1e-6 of them. Checks labels, the keyboard, that
-nothing is wider than a window of 1280 or 390 pixels, that the figure fits the room that docs/rooms keeps for it, so that nothing
-moves when it comes, and that the console is silent; keeps screenshots in PICTURES (default build/live), and tells how long answers
-take. Then that the printed figures stay where scripts or workers are missing.
+the same code compiled for this machine, answers: sets exactly, numbers to 1e-6 of them, and all that is drawn to 1e-6 of its
+axis. Checks that axes and scales of colours stay, that words of the text set the controls, labels, the keyboard, that nothing is
+wider than a window of 1280 or 390 pixels, that the figure fits the room that docs/rooms keeps for it, that it is there before it
+is seen and nothing moves when it comes, and that the console is silent; keeps screenshots in PICTURES (default build/live), and
+tells how long answers take. Then that the printed figures stay where scripts or workers are missing.
 Needs python3 and chromium.
 """
+import array
 import base64
-import glob
 import json
 import os
 import re
@@ -20,85 +21,11 @@ import sys
 import time
 
 sys.dont_write_bytecode = True
+import live_probes as probes
 from browser import Browser, Tab, chromium
 
-ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-
-# Runs in a page: waits until a figure that is nearly reached is there, returns its controls.
-MOUNT = r"""(async () => {
-  const wait = ms => new Promise(r => setTimeout(r, ms)), live = () => document.querySelector('div.live[data-figure=NAME]');
-  for (let i = 0; i < 100 && document.readyState !== 'complete'; ++i) await wait(50);
-  for (let i = 0; i < 400 && live() && !live().querySelector('dl > *') && !live().matches('.failed'); ++i) {
-    live().style.scrollMarginTop = innerHeight + 100 + 'px';         // not yet on the screen
-    if (i % 10 === 0) live().scrollIntoView();
-    await wait(50);
-  }
-  if (!live()) return JSON.stringify({ gone: true });
-  live().style.scrollMarginTop = '';
-  for (let i = 0; i < 200 && live().getAttribute('aria-busy'); ++i) await wait(50);
-  await new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)));
-  const inputs = [...live().querySelectorAll('input, select')], status = live().querySelector('[role=status]');
-  return JSON.stringify({ unlabelled: inputs.filter(i => i.labels.length !== 1).map(i => i.id), status: status?.textContent,
-    started: (await signoriniLive()).started });
-})()"""
-
-# Runs in a page: how high a figure is that stands as at the beginning, and how much room the page keeps for it.
-ROOM = r"""(async () => {
-  const live = document.querySelector('div.live[data-figure=NAME]');
-  await new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)));
-  const kept = parseFloat(getComputedStyle(live).minHeight);
-  live.style.minHeight = 0;
-  const high = Math.ceil(live.getBoundingClientRect().height);
-  live.style.minHeight = '';
-  return JSON.stringify([high, kept]);
-})()"""
-
-# Runs in a page: moves controls, one request after the other, returns the answers.
-ASK = r"""(async requests => {
-  const live = document.querySelector('div.live[data-figure=NAME]'), form = live.querySelector('form'), out = [];
-  for (const settings of requests) {
-    form.querySelectorAll('option').forEach(o => o.selected = o.defaultSelected);
-    form.querySelectorAll('input').forEach(i => { i.type === 'checkbox' ? i.checked = i.defaultChecked : i.value = i.defaultValue; });
-    for (const [name, value] of Object.entries(settings)) {
-      const input = document.getElementById('live-NAME-' + name);
-      input.type === 'checkbox' ? input.checked = value === 'on' : input.value = value;
-    }
-    const answered = new Promise(done => live.addEventListener('answered', e => done(e.detail), { once: true }));
-    form.dispatchEvent(new Event('input'));
-    const { words, answer, milliseconds, total } = await answered;
-    out.push({ words, answer, milliseconds, total, says: live.querySelector('[role=status]').textContent });
-  }
-  return JSON.stringify(out);
-})(REQUESTS)"""
-
-WIDE = r"""JSON.stringify({ page: document.documentElement.scrollWidth > innerWidth + 1,
-  parts: [...document.querySelectorAll('div.live :not(svg *, .live-table *)')].filter(e => e.getBoundingClientRect().right > innerWidth + 1).map(e => e.tagName + '.' + e.getAttribute('class')) })"""
-
-STAYS = r"""(async () => {
-  const wait = ms => new Promise(r => setTimeout(r, ms)), printed = () => document.querySelector('img[src*="PICTURE"]');
-  for (let i = 0; i < 100 && document.readyState !== 'complete'; ++i) await wait(50);
-  document.querySelector('div.live')?.scrollIntoView();
-  await wait(1500);
-  return JSON.stringify([printed().getBoundingClientRect().width > 0, !!document.querySelector('.live form')]);
-})()"""
-
-
-def requests_of(name, about):
-    """The settings to ask for: as at the beginning, one step of each control, each control at its ends, and the checks."""
-    steps, ends = [{}], []
-    for c in about["controls"]:
-        if "choices" in c:
-            ends += [{c["name"]: choice} for choice in c["choices"]]
-        else:
-            further = c["value"] + c["step"] if c["value"] + c["step"] <= c["most"] else c["value"] - c["step"]
-            steps.append({c["name"]: "%.10g" % further})
-            ends += [{c["name"]: "%.10g" % c["least"]}, {c["name"]: "%.10g" % c["most"]}]
-    for checks in glob.glob(os.path.join(ROOT, "chapters/*/live/%s.checks" % name)):
-        for line in open(checks):
-            words = line.partition(":")[0].split()
-            if ":" in line and not line.startswith("#"):
-                ends.append(dict(word.split("=") for word in words))
-    return steps, ends
+ENGINE = 1000000    # bytes of the engine, packed by gzip, that a reader may have to load
+PART = 1e-6         # of a number, or of an axis, by which two machines may differ
 
 
 class Check:
@@ -106,19 +33,23 @@ class Check:
 
     def __init__(self, browser, folder, native, pictures):
         self.browser, self.folder, self.pictures, self.bad = browser, folder, pictures, []
-        self.native = subprocess.Popen([native], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+        self.native = subprocess.Popen([native, "--arrays"], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+        self.moved, self.drawn, self.states = 0, 0, 0    # what was asked for, so that nothing is left out unseen
         os.makedirs(pictures, exist_ok=True)
 
     def expected(self, words):
-        self.native.stdin.write(words + "\n")
+        """What the program answers, and its arrays."""
+        out = self.native.stdout
+        self.native.stdin.write(words.encode() + b"\n")
         self.native.stdin.flush()
-        return json.loads(self.native.stdout.readline())
+        answer = json.loads(out.readline())
+        return answer, [array.array("d", out.read(8 * int(size))) for size in out.readline().split()]
 
     def fault(self, name, what):
         self.bad.append("%s: %s" % (name, what))
 
     def compare(self, name, got):
-        want, answer = self.expected(got["words"]), got["answer"]
+        (want, arrays), answer = self.expected(got["words"]), got["answer"]
         if ("error" in want) != ("error" in answer) or want.get("sets") != answer.get("sets"):
             self.fault(name, "'%s' answers %s, expected %s" % (
                 got["words"], answer.get("error", answer.get("sets")), want.get("error", want.get("sets"))))
@@ -126,32 +57,83 @@ class Check:
         shown = {n["name"]: n for n in answer.get("numbers", [])}
         for n in want.get("numbers", []):
             a, b = shown[n["name"]]["value"], n["value"]
-            if not n["varies"] and a != b and (a is None or b is None or abs(a - b) > 1e-6 * abs(b)):
+            if not n["varies"] and a != b and (a is None or b is None or abs(a - b) > PART * abs(b)):
                 self.fault(name, "'%s': %s is %s, expected %s" % (got["words"], n["name"], a, b))
+        drawn = [array.array("d", base64.b64decode(packed)) for packed in got["arrays"]]
+        if json.dumps(want.get("panels")) != json.dumps(answer.get("panels")) or list(map(len, drawn)) != list(map(len, arrays)):
+            self.fault(name, "'%s' draws other panels or layers" % got["words"])
+            return
+        for panel in want.get("panels", []):
+            for layer in panel["layers"]:
+                off = 0 if layer["varies"] else max(probes.difference(panel, layer, key, drawn, arrays) for key in ("x", "y", "value") if key in layer)
+                self.drawn += 1
+                if off > PART:
+                    self.fault(name, "'%s': '%s' of '%s' differs by %.1e of the axis" % (got["words"], layer["label"] or layer["look"], panel["title"], off))
 
-    def size(self, tab, width, name, scheme):
-        call = self.browser.call
-        call("Emulation.setDeviceMetricsOverride", tab.session, width=width, height=900, deviceScaleFactor=1, mobile=width < 600)
-        call("Runtime.evaluate", tab.session, awaitPromise=True, expression="document.querySelector('div.live[data-figure=%s]').scrollIntoView();"
-             "document.documentElement.classList.toggle('dark', %s); new Promise(r => setTimeout(r, 300))" % (name, json.dumps(scheme == "dark")))
-        wide = json.loads(call("Runtime.evaluate", tab.session, expression=WIDE, returnByValue=True)["result"]["value"])
+    def evaluate(self, tab, script, events=None):
+        got = self.browser.call("Runtime.evaluate", tab.session, events, expression=script, awaitPromise=True, returnByValue=True)
+        if "exceptionDetails" in got:
+            raise RuntimeError("the check itself failed: " + json.dumps(got)[:300])
+        return json.loads(got["result"].get("value") or "null")
+
+    def screen(self, tab, width, scheme):
+        self.browser.call("Emulation.setDeviceMetricsOverride", tab.session, width=width, height=800, deviceScaleFactor=1, mobile=width < 600)
+        self.browser.call("Emulation.setEmulatedMedia", tab.session, features=[{"name": "prefers-color-scheme", "value": scheme}])
+
+    def size(self, tab, width, name, scheme, state=""):
+        self.screen(tab, width, scheme)
+        box = self.evaluate(tab, "new Promise(r => setTimeout(r, 300)).then(() => { const b = %s.getBoundingClientRect(); "
+                            "return JSON.stringify([b.left + scrollX, b.top + scrollY, b.width, b.height]); })" % probes.LIVE.replace("NAME", name))
+        wide = self.evaluate(tab, probes.WIDE)
         if wide["page"] or wide["parts"]:
             self.fault(name, "wider than %d pixels: %s" % (width, ", ".join(wide["parts"][:4]) or "the page"))
-        picture = call("Page.captureScreenshot", tab.session, format="png")["data"]
-        with open(os.path.join(self.pictures, "%s-%d-%s.png" % (name, width, scheme)), "wb") as file:
+        picture = self.browser.call("Page.captureScreenshot", tab.session, format="png", captureBeyondViewport=True,
+                                    clip=dict(zip(("x", "y", "width", "height"), box), scale=1))["data"]
+        with open(os.path.join(self.pictures, "%s%s-%d-%s.png" % (name, state, width, scheme)), "wb") as file:
             file.write(base64.b64decode(picture))
 
-    def room(self, tab, name):
-        """The figure as at the beginning is as high as the room that the page keeps for it, up to 40 pixels that stay empty."""
+    def rooms(self, tab, name):
         measured = []
         for width in (1280, 390):
-            self.browser.call("Emulation.setDeviceMetricsOverride", tab.session, width=width, height=900, deviceScaleFactor=1, mobile=width < 600)
-            got = self.browser.call("Runtime.evaluate", tab.session, expression=ROOM.replace("NAME", name), awaitPromise=True, returnByValue=True)
-            measured.append(json.loads(got["result"]["value"]))
-        self.browser.call("Emulation.setDeviceMetricsOverride", tab.session, width=1280, height=900, deviceScaleFactor=1, mobile=False)
-        if any(high > kept + 2 or kept > high + 40 for high, kept in measured):
-            self.fault(name, "docs/rooms keeps %s pixels for it, expected: %s %d %d" % (
-                " and ".join("%.0f" % kept for _, kept in measured), name, measured[0][0] + 24, measured[1][0] + 24))
+            self.screen(tab, width, "light")
+            time.sleep(0.2)
+            measured.append(self.evaluate(tab, probes.ROOM.replace("NAME", name)))
+        self.screen(tab, 1280, "light")
+        return measured
+
+    def room(self, name, states):
+        """The figure as at the beginning, before and after its question, is as high as its room, up to 40 pixels that stay empty."""
+        high = [max(state[k][0] for state in states) for k in (0, 1)]
+        kept = [states[0][k][1] for k in (0, 1)]
+        if any(h > r + 2 or r > h + 40 for h, r in zip(high, kept)):
+            self.fault(name, "docs/rooms keeps %.0f and %.0f pixels for it, expected: %s %d %d" % (*kept, name, high[0] + 12, high[1] + 12))
+
+    def states_of(self, tab, name):
+        """Words of the page that name states of the figure set its controls."""
+        for controls, failed in self.evaluate(tab, probes.STATES.replace("NAME", name)):
+            self.states += 1
+            for control, wanted, value in controls:
+                if wanted != value:
+                    self.fault(name, "the text sets %s to %s, and it is %s" % (control, wanted, value))
+            if failed:
+                self.fault(name, "the text sets a state without an answer: %s" % controls)
+
+    def comes(self, page, name):
+        """With the engine there: mounted before it is seen, painted after a jump, and nothing moves."""
+        times = []
+        for how, width, scheme in (("near", 1280, "light"), ("near", 390, "dark"), ("jump", 1280, "dark"), ("jump", 390, "light")):
+            tab = Tab(self.browser, self.folder)
+            self.screen(tab, width, scheme)
+            got = json.loads(tab.visit(page, probes.COMES.replace("NAME", name).replace("HOW", how)))
+            if how == "near" and not got["early"] and (got["at"] is None or got["at"] <= 0):
+                self.fault(name, "100 pixels below a screen of %d it is not there before it is seen: %s" % (width, got))
+            if not got["early"] and got["then"] is None:
+                self.fault(name, "does not come, %s at %d: %s" % (how, width, got))
+            if got["moved"] > 0.001 or abs(got["grown"]) > 2:
+                self.fault(name, "moves the page when it comes, %s at %d: %s" % (how, width, got))
+            times.append("seen at once" if got["early"] else "%s %.0f" % (how, got["then"] or -1))
+            self.browser.call("Page.close", tab.session)
+        return ", ".join(times)
 
     def keyboard(self, tab, name):
         first = "document.querySelector('div.live[data-figure=%s] input[type=range]')" % name
@@ -167,39 +149,55 @@ class Check:
             self.fault(name, "its slider does not follow the keyboard")
 
     def figure(self, page, name):
-        about = self.expected("figure " + name)
+        about, _ = self.expected("figure " + name)
         tab = Tab(self.browser, self.folder)
-        self.browser.call("Emulation.setDeviceMetricsOverride", tab.session, width=1280, height=900, deviceScaleFactor=1, mobile=False)
-        mounted = json.loads(tab.visit(page, MOUNT.replace("NAME", name)))
+        self.screen(tab, 1280, "light")
+        mounted = json.loads(tab.visit(page, probes.MOUNT.replace("NAME", name)))
         if "gone" in mounted:
             self.fault(name, "is not there")
             return
         if mounted["unlabelled"] or not mounted["status"]:
             self.fault(name, "labels or status: %s" % mounted)
-        self.room(tab, name)
-        steps, ends = requests_of(name, about)
+        rooms = [self.rooms(tab, name)]
+        if mounted["asks"]:
+            self.size(tab, 1280, name, "light", "-asks")
+            self.size(tab, 390, name, "light", "-asks")
+            self.screen(tab, 1280, "light")
+            self.evaluate(tab, probes.REVEAL.replace("NAME", name))
+            rooms.append(self.rooms(tab, name))
+        self.room(name, rooms)
+        steps, ends = probes.requests_of(name, about)
         events, times = [], []
-        for requests in [ends] + 5 * [steps]:
-            script = ASK.replace("NAME", name).replace("REQUESTS", json.dumps(requests))
-            got = self.browser.call("Runtime.evaluate", tab.session, events, expression=script, awaitPromise=True, returnByValue=True)
-            if "value" not in got["result"]:
-                self.fault(name, "the check itself failed: " + json.dumps(got)[:300])
-                return
-            answers = json.loads(got["result"]["value"])
-            if requests is steps:
-                times += [a["total"] for a in answers]
-            slowest = max(answers, key=lambda a: a["total"]) if requests is ends else slowest
-            for answer in answers:
-                self.compare(name, answer)
-        for width, scheme in ((1280, "light"), (1280, "dark"), (390, "light")):
+        answers = self.ask(tab, name, ends, events)
+        self.axes(name, about, ends, answers)
+        for answer in answers:
+            self.compare(name, answer)
+        for _ in range(5):
+            times += [a["painted"] for a in self.ask(tab, name, steps, events)]
+        for width, scheme in ((1280, "dark"), (390, "dark"), (390, "light"), (1280, "light")):
             self.size(tab, width, name, scheme)
+        self.states_of(tab, name)
         self.keyboard(tab, name)
         tab.listen(events)
         for _, what in sorted(tab.bad):
             self.fault(name, what)
         self.browser.call("Page.close", tab.session)
-        print("%-16s %3d requests; answers after %4.0f ms (median of controls moved by one step), %4.0f ms at most (%s); engine after %.0f ms" % (
-            name, len(ends) + 5 * len(steps), statistics.median(times), slowest["total"], slowest["words"], mounted["started"]))
+        slowest = max(answers, key=lambda a: a["painted"])
+        print("%-16s %3d requests; event to painted frame %4.0f ms (median of controls moved by one step), %4.0f at most (%s); engine after %.0f; first answer: %s ms" % (
+            name, len(ends) + 5 * len(steps), statistics.median(times), slowest["painted"], slowest["words"], mounted["started"], self.comes(page, name)), flush=True)
+
+    def ask(self, tab, name, requests, events):
+        return self.evaluate(tab, probes.ASK.replace("NAME", name).replace("REQUESTS", json.dumps(requests)), events)
+
+    def axes(self, name, about, requests, answers):
+        """Axes and scales are those of the begin wherever a control stands, but for those that choose a problem."""
+        free = {c["name"] for c in about["controls"] if c["own_axes"]}
+        first = next(a["axes"] for r, a in zip(requests, answers) if not r)
+        for settings, answer in zip(requests, answers):
+            if free.isdisjoint(settings) and "error" not in answer["answer"]:
+                self.moved += 1
+                if answer["axes"] != first:
+                    self.fault(name, "'%s' has other axes" % answer["words"])
 
     def stays(self, page, name):
         """Without workers or scripts the printed figure is seen."""
@@ -208,7 +206,7 @@ class Check:
         for what, take in (("workers", "window.Worker = undefined"), ("WebAssembly", "delete window.WebAssembly")):
             tab = Tab(self.browser, self.folder)
             self.browser.call("Page.addScriptToEvaluateOnNewDocument", tab.session, source=take)
-            seen, computes = json.loads(tab.visit(page, STAYS.replace("PICTURE", picture)))
+            seen, computes = json.loads(tab.visit(page, probes.STAYS.replace("PICTURE", picture)))
             if not seen or computes:
                 self.fault(name, "the printed figure is not seen without " + what)
             self.browser.call("Page.close", tab.session)
@@ -230,21 +228,29 @@ def main():
         sys.exit("check-live.py: no chromium found, run: tools/setup.sh check")
     if not os.path.exists(os.path.join(folder, "engine.js")):
         sys.exit("check-live.py: no engine in %s, run: make live" % folder)
-    figures = [(page, name) for page in sorted(os.listdir(folder)) if page.endswith(".html")
+    figures = [(page, name) for page in sorted(os.listdir(folder)) if page.endswith(".html") and not page.startswith("slides")
                for name in re.findall(r'<div class="live" data-figure="(\w+)"', open(os.path.join(folder, page), encoding="utf-8").read())]
     browser = Browser(program)
     try:
         check = Check(browser, folder, os.path.abspath(words[1] or "build/bin/live"), words[2] or "build/live")
-        for page, name in figures:
-            check.figure(page, name)
+        size = sum(len(base64.b64decode(packed)) for packed in re.findall(r'"([^"]{100,})"', open(os.path.join(folder, "engine.js")).read()))
+        if size > ENGINE:
+            check.fault("engine.js", "%d bytes packed, %d allowed" % (size, ENGINE))
+        for k, (page, name) in enumerate(figures):
+            if name in (other for _, other in figures[:k]):    # the same on another page
+                print("%-16s first answer on %s: %s ms" % (name, page, check.comes(page, name)), flush=True)
+            else:
+                check.figure(page, name)
         check.stays(*figures[0])
         check.native.stdin.close()
     finally:
         browser.close()
     for what in check.bad:
         print(what)
-    print("%d live figures on %d pages: %s" % (len(figures), len({p for p, _ in figures}), "%d problems" % len(check.bad) if check.bad else "all fine"))
-    sys.exit(1 if check.bad or not figures else 0)
+    print("%d live figures on %d pages, engine of %.2f MB packed; %d states with the same axes, %d layers compared, %d states named by texts: %s" % (
+        len(figures), len({p for p, _ in figures}), size / 1e6, check.moved, check.drawn, check.states,
+        "%d problems" % len(check.bad) if check.bad else "all fine"))
+    sys.exit(1 if check.bad or check.moved < 20 or not check.drawn or not check.states else 0)
 
 
 main()

@@ -130,7 +130,7 @@ sub check_file {
         complain($file, $n, 'a quoted value does not work inside a formula') if $plain =~ /\$[^\$]*<!--=[^\$]*<!--\/-->[^\$\s]*\$/;
         complain($file, $n, 'no formula in a heading, the sidebar cannot show it') if $text =~ /^#+ .*\$/;
         complain($file, $n, 'a dollar sign is left over: write \$, and keep a formula on one line') if $rest =~ /(?<!\\)\$/;
-        complain($file, $n, 'a quoted value must not begin a line') if $text =~ /^[ >]*<!--=/;
+        complain($file, $n, 'a quoted value, or words that set a figure, must not begin a line') if $text =~ /^[ >]*<!--(=| set )/;
         complain($file, $n, 'an image stands alone on its line, or the book loses its caption')
             if $plain =~ /!\[[^\]]*\]\(/ && $plain !~ /^!\[.*\]\([^)\s]+\)\s*$/;
         check_links($file, $n, $plain, \%linked);

@@ -21,6 +21,7 @@ sub slurp {
 sub rebased {    # the links of a text of a folder, as from chapters/; quoted values become plain
     my ($folder, $text) = @_;
     $text =~ s/<!--=.*?-->(.*?)<!--\/-->/$1/g;
+    $text =~ s/<!-- set .*?-->(.*?)<!-- \/set -->/$1/g;
     $text =~ s{\]\((?!\w+:)([^)\s]+)\)}{
         my ($to, @part) = $1;
         my $path = $to =~ /^#/ ? "$folder/README.md$to" : "$folder/$to";

@@ -19,7 +19,7 @@ VOID = set("area base br col embed hr img input link meta source track wbr".spli
 NO_END = {"p", "li", "td", "th", "tr", "dt", "dd", "thead", "tbody", "option"}    # Doxygen and HTML may leave their ends out
 CONTROLS = ("input", "select", "textarea")
 MACHINE = re.compile(rb"file:///|/(?:home|root|work|tmp|build|usr/(?:src|local))/[\w.+-]+/")
-LOADED = ("engine.js", "seek.js", "contracts.js", "live.js")    # scripts that scripts load
+LOADED = ("engine.js", "seek.js", "contracts.js", "panels.js", "live.js")    # scripts that scripts load
 TEXT = (".html", ".css", ".js", ".svg", ".txt")
 
 

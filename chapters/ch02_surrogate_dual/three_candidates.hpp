@@ -20,12 +20,17 @@ using Eigen::VectorXd;
 
 /// The rubber block of chapter 1 on a flatter obstacle, with two cells.
 // [programme]
+inline Mesh two_cells() { return block("block", {-20, 0}, {40, 20}, 2, 1); }
+
+inline Unknowns pressed_down(const Mesh& mesh) {
+  return number_unknowns(mesh, {prescribed("top", Axis::X, 0.0), prescribed("top", Axis::Y, -1.0)});
+}
+
 inline QuadraticProgramme three_candidates() {
-  const Mesh mesh = block("block", {-20, 0}, {40, 20}, 2, 1);
+  const Mesh mesh = two_cells();
   const Material rubber{/*E [N/mm^2]*/ 10, /*nu*/ 0.3, PlaneState::Strain, /*thickness [mm]*/ 1};
   const Obstacle obstacle = disc({5, -400}, 400);
-  const Unknowns unknowns =
-      number_unknowns(mesh, {prescribed("top", Axis::X, 0.0), prescribed("top", Axis::Y, -1.0)});
+  const Unknowns unknowns = pressed_down(mesh);
   const LinearSystem body = assemble(mesh, q4_incompatible(), rubber, unknowns, {});  // K, p
   MatrixXd A = MatrixXd::Zero(3, unknowns.count);
   Vector3d g;

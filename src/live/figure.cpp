@@ -35,6 +35,16 @@ Control toggle(std::string name, std::string label, bool on) {
   return choice(std::move(name), std::move(label), on ? "on" : "off", {"off", "on"});
 }
 
+Control playing(Control slider) {
+  slider.plays = true;
+  return slider;
+}
+
+Control with_own_axes(Control control) {
+  control.own_axes = true;
+  return control;
+}
+
 Request::Request(const std::vector<Control>& controls, const std::string& words) {
   for (const Control& control : controls) {
     values_[control.name] = control.value;
@@ -76,120 +86,6 @@ std::string Request::key(const std::vector<std::string>& without) const {
   return words;
 }
 
-void Panel::curve(std::string label, Look look, const VectorXd& x, const VectorXd& y) {
-  layers.push_back({std::move(label), look, x, y, 0, {}});
-}
-
-void Panel::points(const std::string& label, const VectorXd& x, const VectorXd& y,
-                   const VectorXd& pressure, const char* some, const char* none) {
-  for (const bool closed : {false, true}) {
-    std::vector<Index> at;
-    for (Index k = 0; k < x.size(); ++k)
-      if ((pressure(k) > 0) == closed) at.push_back(k);
-    if (!at.empty())
-      curve(label + ", " + (closed ? some : none), closed ? Look::Closed : Look::Open, x(at),
-            y(at));
-  }
-}
-
-void Panel::motions(const VectorXd& x, const VectorXd& y, const signorini::ContactState& contact) {
-  for (const bool slide : {false, true}) {
-    const std::vector<Index> at = closed_pairs(contact, slide);
-    if (!at.empty())
-      curve(slide ? "slides" : "sticks", slide ? Look::Open : Look::Closed, x(at), y(at));
-  }
-}
-
-void Panel::cells(std::string label, const MatrixXd& corner,
-                  const Eigen::Matrix<Index, Eigen::Dynamic, Eigen::Dynamic>& cell,
-                  const VectorXd& value) {
-  Layer layer{std::move(label), Look::Line, {}, {}, cell.cols(), value};
-  layer.x.resize(cell.size());
-  layer.y.resize(cell.size());
-  for (Index k = 0, n = 0; k < cell.rows(); ++k)
-    for (Index c = 0; c < cell.cols(); ++c, ++n) {
-      layer.x(n) = corner(cell(k, c), 0);
-      layer.y(n) = corner(cell(k, c), 1);
-    }
-  layers.push_back(std::move(layer));
-}
-
-void Panel::map(std::string label, const VectorXd& x, const VectorXd& y,
-                const std::function<double(double, double)>& value) {
-  const Index columns = x.size() - 1;
-  const Index rows = y.size() - 1;
-  Layer layer{std::move(label),
-              Look::Line,
-              VectorXd(4 * columns * rows),
-              VectorXd(4 * columns * rows),
-              4,
-              VectorXd(columns * rows)};
-  for (Index i = 0, n = 0; i < rows; ++i)
-    for (Index j = 0; j < columns; ++j, ++n) {
-      layer.x.segment<4>(4 * n) << x(j), x(j + 1), x(j + 1), x(j);
-      layer.y.segment<4>(4 * n) << y(i), y(i), y(i + 1), y(i + 1);
-      layer.value(n) = value((x(j) + x(j + 1)) / 2, (y(i) + y(i + 1)) / 2);
-    }
-  layers.push_back(std::move(layer));
-}
-
-void Panel::level_lines(std::string label, Look look, const VectorXd& x, const VectorXd& y,
-                        const std::function<double(double, double)>& value,
-                        const std::vector<double>& levels) {
-  using Eigen::Vector3d;
-  MatrixXd values(y.size(), x.size());
-  for (Index i = 0; i < y.size(); ++i)
-    for (Index j = 0; j < x.size(); ++j) values(i, j) = value(x(j), y(i));
-  std::vector<Vector3d> ends;  // of pieces: a line enters and leaves each triangle that it meets
-  const auto corner = [&](Index j, Index i) { return Vector3d(x(j), y(i), values(i, j)); };
-  const auto edge = [&ends](double level, const Vector3d& a, const Vector3d& b) {
-    if ((a.z() > level) != (b.z() > level))
-      ends.push_back(a + (level - a.z()) / (b.z() - a.z()) * (b - a));
-  };
-  for (const double level : levels)
-    for (Index i = 0; i + 1 < y.size(); ++i)
-      for (Index j = 0; j + 1 < x.size(); ++j)
-        for (const Index upper : {0, 1}) {
-          const Vector3d a = corner(j, i);
-          const Vector3d b = corner(j + 1, i + 1);
-          const Vector3d c = corner(j + 1 - upper, i + upper);
-          edge(level, a, b);
-          edge(level, b, c);
-          edge(level, c, a);
-        }
-  if (ends.empty()) return;
-  const double none = std::numeric_limits<double>::quiet_NaN();
-  VectorXd at_x = VectorXd::Constant(static_cast<Index>(3 * ends.size() / 2), none);
-  VectorXd at_y = at_x;
-  for (std::size_t k = 0; k < ends.size(); ++k) {
-    const auto place = static_cast<Index>(k + k / 2);  // a break after each piece
-    at_x(place) = ends[k].x();
-    at_y(place) = ends[k].y();
-  }
-  curve(std::move(label), look, at_x, at_y);
-}
-
-void Panel::body(const signorini::BodyModel& body, const signorini::NodeArray& displacement,
-                 const signorini::NodeArray& place) {
-  const signorini::StressArray stress =
-      signorini::cell_stress(body.mesh, body.element, body.material, displacement);
-  VectorXd mises(stress.rows());
-  for (Index k = 0; k < stress.rows(); ++k) mises(k) = signorini::von_mises(stress.row(k));
-  Eigen::Matrix<Index, Eigen::Dynamic, Eigen::Dynamic> corners(body.mesh.n_cells(), 4);
-  for (Index k = 0; k < body.mesh.n_cells(); ++k)
-    for (Index c = 0; c < 4; ++c)
-      corners(k, c) = body.mesh.cells(k, std::min<Index>(c, body.mesh.corners(k) - 1));
-  cells(body.mesh.name + ", von Mises's stress", place, corners, mises);
-}
-
-void Panel::bodies(const signorini::Model& model, const signorini::Solution& solution,
-                   double magnified) {
-  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    const signorini::NodeArray& u = solution.displacements[b];
-    body(model.bodies[b], u, model.bodies[b].mesh.nodes + magnified * u);
-  }
-}
-
 std::vector<Index> closed_pairs(const signorini::ContactState& contact, bool slide) {
   std::vector<Index> found;
   for (const Index i : contact.active)
@@ -228,7 +124,7 @@ void Answer::solution(const signorini::Solution& solved, bool determined) {
   for (std::string note : solved.notes) {  // sentences of the library begin small and end open
     if (!note.empty())
       note[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(note[0])));
-    says += " " + note + (!note.empty() && note.back() == '.' ? "" : ".");
+    notes += (notes.empty() ? "" : " ") + note + (!note.empty() && note.back() == '.' ? "" : ".");
   }
 }
 
@@ -254,6 +150,7 @@ void describe(const Figure& figure, Json& json) {
     json.object().key("name").value(control.name).key("label").value(control.label);
     json.key("value").value(control.value).key("least").value(control.least);
     json.key("most").value(control.most).key("step").value(control.step);
+    json.key("plays").value(control.plays).key("own_axes").value(control.own_axes);
     if (!control.choices.empty()) json.key("choices").value(control.choices);
     json.end();
   }
@@ -276,39 +173,51 @@ const char* name_of(Look look) {
       return "cross";
     case Look::Here:
       return "here";
+    case Look::Arrow:
+      return "arrow";
+    case Look::Solid:
+      return "solid";
+    case Look::Trail:
+      return "trail";
   }
   return "line";
 }
 
-void write(const Panel& panel, Json& json, std::vector<VectorXd>& arrays) {
+void write(const Layer& layer, Json& json, std::vector<VectorXd>& arrays) {
   const auto place = [&arrays](const VectorXd& values) {
     arrays.push_back(values);
     return static_cast<Index>(arrays.size() - 1);
   };
-  json.object()
-      .key("title")
-      .value(panel.title)
-      .key("x")
-      .value(panel.x_label)
-      .key("y")
-      .value(panel.y_label);
-  json.key("equal").value(panel.equal).key("log_x").value(panel.log_x);
-  json.key("log_y").value(panel.log_y).key("window").array();
-  for (const double edge : panel.window) json.value(edge);
-  json.end().key("drag_x").value(panel.drag_x).key("drag_y").value(panel.drag_y);
-  json.key("layers").array();
-  for (const Layer& layer : panel.layers) {
-    json.object().key("label").value(layer.label).key("look").value(name_of(layer.look));
-    json.key("x").value(place(layer.x)).key("y").value(place(layer.y));
-    json.key("corners").value(layer.corners);
-    if (layer.corners > 0) json.key("value").value(place(layer.value));
-    json.end();
+  json.object().key("label").value(layer.label).key("look").value(name_of(layer.look));
+  json.key("x").value(place(layer.x)).key("y").value(place(layer.y));
+  json.key("corners").value(layer.corners).key("varies").value(layer.varies);
+  if (layer.look == Look::Trail) json.key("series").value(layer.series);
+  if (layer.corners > 0) {
+    json.key("value").value(place(layer.value)).key("mesh").value(layer.mesh);
+    json.key("least").value(layer.least).key("most").value(layer.most);
   }
+  json.end();
+}
+
+void write(const Panel& panel, Json& json, std::vector<VectorXd>& arrays) {
+  json.object().key("title").value(panel.title).key("question").value(panel.question);
+  json.key("x").value(panel.x_label).key("y").value(panel.y_label);
+  json.key("equal").value(panel.equal).key("log_x").value(panel.log_x);
+  json.key("log_y").value(panel.log_y).key("whole_x").value(panel.whole_x);
+  json.key("whole_y").value(panel.whole_y).key("window").array();
+  for (const double edge : panel.window) json.value(edge);
+  json.end().key("grab").value(panel.grab).key("drag").array();
+  for (const Drag& drag : panel.drag) {
+    json.object().key("control").value(drag.control).key("x").value(drag.x);
+    json.key("y").value(drag.y).key("from").value(drag.from).end();
+  }
+  json.end().key("layers").array();
+  for (const Layer& layer : panel.layers) write(layer, json, arrays);
   json.end().end();
 }
 
 void write(const Answer& answer, Json& json, std::vector<VectorXd>& arrays) {
-  json.key("says").value(answer.says).key("numbers").array();
+  json.key("says").value(answer.says).key("notes").value(answer.notes).key("numbers").array();
   for (const Number& number : answer.numbers) {
     json.object().key("name").value(number.name).key("label").value(number.label);
     json.key("value").value(number.value).key("unit").value(number.unit);

@@ -25,7 +25,7 @@ TEXTS = {
     "docs/parts": "part First: 0-3\npart Later: 4-99\npaper A Smith1990: 1-2\npaper B Jones2000: 3\nuse README.md: What\nuse chapters/README.md: Ways\n"
                   "use chapters/glossary.md: Glossary\nuse docs/references.md: References\n",
     "docs/rooms": "# rooms\npress 700 900\n",
-    **{"docs/" + name: "" for name in ("page.css", "formula.css", "page.js", "peek.js", "find.js", "live.js", "live.css", "slides.js",
+    **{"docs/" + name: "" for name in ("page.css", "formula.css", "page.js", "peek.js", "find.js", "panels.js", "live.js", "live.css", "slides.js",
                                        "slides.css", "fonts/README")},
     "docs/references.md": '# References\n\n<a id="Smith1990"></a>\nSmith J., On contact, 1990.\n\n'
                           '<a id="Jones2000"></a>\nJones K., More, 2000.\n',
@@ -170,6 +170,10 @@ class Texts(unittest.TestCase):
         self.assertIn("--room:700px;--room-phone:900px", said)
         self.assertIn('<details class="live-printed" open>', said)
 
+    def test_words_that_name_a_state(self):
+        said = self.html("At <!-- set press load=0.5 top=on -->$q = 1/2$<!-- /set --> it closes.\n\n<!-- live press -->")
+        self.assertRegex(said, '<p>At (<span class="nb">)?<span class="set" data-figure="press" data-set="load=0.5 top=on"><math')
+
     def test_search_has_words_and_no_listings(self):
         self.assertEqual(words_of("<p>one <b>two</b></p><pre>three</pre><p>f&amp;g</p>"), "one two f&g")
         seek = Seek()
@@ -282,6 +286,8 @@ class Whole(unittest.TestCase):
                 ("an anchor twice", (one, "Something.", '<a id="eq-1"></a>'), "chapter-01.html: error: an anchor twice: eq-1"),
                 ("a picture that is not there", (one, "figures/fig.svg", "figures/gone.svg"), one + ": error: no picture"),
                 ("a live figure without source", (one, "![Fig", "<!-- live gone -->\n\n![Fig"), one + ": error: no live figure gone"),
+                ("a state of no live figure", (one, "Something.", "<!-- set gone load=1 -->x<!-- /set -->"),
+                 one + ": error: no live figure gone on this page, set to load=1"),
                 ("a reference that does not exist", ("src/papers/thing.hpp", "ref Smith1990", "ref Smith1991"), "no reference Smith1991"),
                 ("a chapter in no part", ("docs/parts", "part Later: 4-99\n", ""), "docs/parts: error: chapter-05 is in no part"),
                 ("another order", ("docs/parts", "0-3\npart Later: 4-99", "4-99\npart Later: 0-3"), "docs/parts: error: the order of chapters is 05 01, in"),

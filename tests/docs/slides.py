@@ -14,7 +14,7 @@ from book import FOLDER, ROOT, make, page, run
 import cut
 
 ONE = "chapters/ch01_one/README.md"
-STYLE = ("page.css", "formula.css", "page.js", "peek.js", "find.js", "live.js", "live.css", "slides.js", "slides.css")
+STYLE = ("page.css", "formula.css", "page.js", "peek.js", "find.js", "panels.js", "live.js", "live.css", "slides.js", "slides.css")
 
 
 def small(changes=()):

@@ -50,9 +50,33 @@ const Number* find(const Answer& answer, const std::string& name) {
 void check_layer(const Layer& layer) {
   CHECK(layer.x.size() > 0);
   CHECK(layer.x.size() == layer.y.size());
-  if (layer.corners > 0) {
-    CHECK(layer.x.size() == layer.corners * layer.value.size());
-    CHECK_FALSE(layer.label.empty());
+  if (layer.corners > 0) CHECK(layer.x.size() == layer.corners * layer.value.size());
+  if (layer.corners > 0) CHECK(layer.most > 0);
+  if (layer.look == Look::Arrow) CHECK(layer.x.size() % 2 == 0);
+}
+
+bool is_points(Look look) {
+  return look == Look::Closed || look == Look::Open || look == Look::Cross || look == Look::Here ||
+         look == Look::Trail;
+}
+
+// Points that lie beyond the axes to the left or the right are left out on purpose, above or below only if the panel says so.
+void check_window(const Panel& panel) {
+  const std::vector<double>& w = panel.window;
+  REQUIRE(w.size() == 4);
+  CHECK(w[0] < w[1]);
+  CHECK(w[2] < w[3]);
+  if (panel.log_x) CHECK(w[0] > 0);
+  if (panel.log_y) CHECK(w[2] > 0);
+  if (panel.clips) return;
+  for (const Layer& layer : panel.layers) {
+    if (layer.corners > 0 || !is_points(layer.look)) continue;
+    for (Index k = 0; k < layer.x.size(); ++k) {
+      if (!(layer.x(k) >= w[0] && layer.x(k) <= w[1])) continue;
+      INFO(layer.label << " at " << layer.x(k) << ' ' << layer.y(k) << ", axis to " << w[3]);
+      CHECK_FALSE(layer.y(k) < w[2]);
+      CHECK_FALSE(layer.y(k) > w[3]);
+    }
   }
 }
 
@@ -73,7 +97,25 @@ void check_answer(const Answer& answer) {
     CHECK_FALSE(panel.y_label.empty());
     CHECK_FALSE(panel.layers.empty());
     for (const Layer& layer : panel.layers) check_layer(layer);
+    check_window(panel);
   }
+}
+
+/// Axes and scales of colours of all panels, as text.
+std::string axes_of(const Answer& answer) {
+  std::string all;
+  for (const Panel& panel : answer.panels) {
+    all += panel.title + (panel.log_x ? " log" : "") + (panel.log_y ? " log" : "");
+    for (const double end : panel.window) all += ' ' + signorini::shortest(end);
+    std::set<std::string> scales;  // a body may come and go
+    for (const Layer& layer : panel.layers)
+      if (layer.corners > 0)
+        scales.insert(layer.label + ' ' + signorini::shortest(layer.least) + ' ' +
+                      signorini::shortest(layer.most));
+    for (const std::string& scale : scales) all += "; " + scale;
+    all += '\n';
+  }
+  return all;
 }
 
 /// The numbers of all `.results` files of a chapter.
@@ -108,6 +150,44 @@ TEST_CASE("every live figure answers whatever its controls allow") {
     }
 }
 
+TEST_CASE("axes and colours of a live figure stay while its controls move") {
+  int moved = 0;
+  for (const Figure& figure : figures()) {
+    const std::string first = axes_of(figure.answer(Request(figure.controls, "")));
+    for (const Control& control : figure.controls) {
+      if (control.own_axes) continue;
+      for (const double end : {control.least, control.most}) {
+        INFO(figure.name << ' ' << setting(control, end));
+        CHECK(axes_of(figure.answer(Request(figure.controls, setting(control, end)))) == first);
+        ++moved;
+      }
+    }
+  }
+  CHECK(moved >= 20);
+}
+
+TEST_CASE("what is dragged or played in a live figure is a slider of it") {
+  int dragged = 0, played = 0, asked = 0;
+  for (const Figure& figure : figures()) {
+    INFO(figure.name);
+    for (const Control& control : figure.controls)
+      if (control.plays) {
+        CHECK(control.choices.empty());
+        ++played;
+      }
+    for (const Panel& panel : figure.answer(Request(figure.controls, "")).panels) {
+      asked += panel.question.empty() ? 0 : 1;
+      for (const Drag& drag : panel.drag) {
+        CHECK(signorini::find_member(figure.controls, drag.control, "control").choices.empty());
+        ++dragged;
+      }
+    }
+  }
+  CHECK(dragged > 0);
+  CHECK(played > 0);
+  CHECK(asked >= 3);
+}
+
 TEST_CASE("a live figure says again what it said, whatever was asked in between") {
   for (const Figure& figure : figures()) {
     std::vector<VectorXd> first;
@@ -118,8 +198,7 @@ TEST_CASE("a live figure says again what it said, whatever was asked in between"
     INFO(figure.name);
     CHECK(answer(figure.name, again) == said);
     REQUIRE(first.size() == again.size());
-    for (std::size_t k = 0; k < first.size(); ++k)
-      CHECK(same_bits(first[k], again[k]));
+    for (std::size_t k = 0; k < first.size(); ++k) CHECK(same_bits(first[k], again[k]));
   }
 }
 

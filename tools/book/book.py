@@ -56,7 +56,7 @@ def copy(book):
         to = book.out / "files" / (path + ("" if Path(path).suffix in (".svg", ".png") else ".txt"))
         to.parent.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(book.root / path, to)
-    for name in ("page.js", "peek.js", "find.js", "live.js", "live.css", "slides.js", "slides.css"):
+    for name in ("page.js", "peek.js", "find.js", "panels.js", "live.js", "live.css", "slides.js", "slides.css"):
         shutil.copyfile(docs / name, book.out / name)
 
     def data(m):    # the faces travel in the style sheet: they do not come late, and nothing moves

@@ -137,7 +137,7 @@ class Deck:
     def write(self):
         has_live = 'class="live"' in "".join(slide[2] for slide in self.slides)
         words = {"engine": " data-engine" if self.book.engine else "", "title": escaped(re.sub(r"[`$*]", "", self.book.title[self.page])),
-                 "script": '<script src="live.js" defer></script>' if has_live else "", "slides": self.html(),
+                 "script": frame.LIVE_SCRIPTS if has_live else "", "slides": self.html(),
                  "page": html.escape(self.page)}
         (self.book.out / name_of(self.page)).write_text(DECK % words, encoding="utf-8")
 

@@ -3,6 +3,7 @@ import html
 import re
 
 from inline import Inline
+from pieces import folded, live
 from references import templates
 from tex import escaped
 
@@ -23,6 +24,8 @@ PAGE = """<!DOCTYPE html>
 <main id="book-text">%(main)s</main>
 %(previews)s</body></html>
 """
+
+LIVE_SCRIPTS = '<script src="panels.js" defer></script><script src="live.js" defer></script>'
 
 
 def numbered(title):
@@ -107,7 +110,7 @@ def write(book, page, title, main, text=None, kind=None):
     previews = templates(text.refer.previews) if text else ""
     words = {"engine": " data-engine" if book.engine else "", "title": escaped(re.sub(r"[`$*]", "", title)), "main": main,
              "formulas": formula_sheet(main + previews), "style": '<link rel="stylesheet" href="live.css">' if has_live else "",
-             "script": '<script src="live.js" defer></script>' if has_live else "", "kind": kind or html.escape(page.split("-")[0]),
+             "script": LIVE_SCRIPTS if has_live else "", "kind": kind or html.escape(page.split("-")[0]),
              "side": Side(book, page, [s for s in text.sections if s[0] != "exercises"] if text else []).html(),
              "previews": previews}
     (book.out / (page + ".html")).write_text(PAGE % words, encoding="utf-8")
@@ -138,11 +141,14 @@ def shown_by(book, name):
 def write_cover(book, text):
     """The first page: what this is, its picture, and the chapters by parts."""
     body, use = "", book.text.get("use", "")
-    picture = re.search(r"^!\[(.*)\]\((\S+)\)", use, re.M)
+    picture = re.search(r"^(?:<!-- live (\w+) -->\n+)?!\[(.*)\]\((\S+)\)", use, re.M)
     lead = re.search(r"\n\n(?!!|<|#|\|)(\w.*?)\n\n", use, re.S)
     if picture:
-        body += '<figure class="picture title-picture">%s<figcaption>%s</figcaption></figure>' % (
-            book.picture("use", picture[2], html.escape(picture[1]))[0], text.html(picture[1], False))
+        printed = '<figure class="picture title-picture">%s<figcaption>%s</figcaption></figure>' % (
+            book.picture("use", picture[3], html.escape(picture[2]))[0], text.html(picture[2], False))
+        body += live(text, picture[1]) + folded(book, "The title picture", printed) if picture[1] else printed
+    if lead:
+        body += '<p class="lead">%s</p>' % text.html(" ".join(lead[1].split()), False)
     for title, _ in book.parts:
         rows = ""
         for name in (n for n in book.chapters if book.part_of(n) == title):
@@ -154,7 +160,6 @@ def write_cover(book, text):
         name, *numbered(words_of_evening(book, name)), text.html(" ".join(book.text[name].split("\n\n")[1].split()), False))
         for name in book.evenings[1:])
     body += '<section class="part"><h2>Reading the library</h2><ol>%s</ol></section>' % rows if rows else ""
-    head = '<header class="title"><h1>Signorini</h1><p class="lead">%s</p></header>' % (
-        text.html(" ".join(lead[1].split()), False) if lead else "")
+    head = '<header class="title"><h1>Signorini</h1></header>'
     main = re.sub(r"<math><mi>(\w)</mi></math>", r"<em>\1</em>", head + body)    # a letter needs no face of formulas
     write(book, "index", "a book that runs", main, text, "cover")

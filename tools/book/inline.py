@@ -13,6 +13,7 @@ TICKED = re.compile(r"\$`(.+?)`\$")
 DOLLARS = re.compile(r"(?<![\\\w$])\$(?![\s$])((?:\\.|[^\\$])*?(?:\\.|[^\\$\s]))\$(?![\w$])")
 LINK = re.compile(r"(?<!!)\[((?:[^\[\]]|\[[^\]]*\])+)\]\(((?:[^()\s]|\([^()\s]*\))+)\)")
 TAG = re.compile(r"</?(?:sub|sup|br|kbd|em|b|i)\b[^>]*>")
+SET = re.compile(r"<!-- set (\w+) ([\w=. -]+?) -->(.*?)<!-- /set -->")
 UNIT = re.compile(r"(?<=[\d\0]) (?=(?:[kM]?N|[ckµ]?m|mm|[MG]Pa|%|ms|s|MB|GB|°)(?:[/²\s.,;:)]|$))")
 PAPER = re.compile(r"\\PaperEq\{\s*(\w+)\s*,\s*([^}]*?)\s*\}")
 SAME_PAPER = re.compile(r"\\PaperEq\{(\w+), *([^}]*)\}, \\PaperEq\{\1, *")
@@ -76,6 +77,12 @@ class Inline:
         kind = ' class="out"' if re.match(r"\w+:", href) else ' class="fn"' if name and "#" in href else ""
         return self.keep('<a href="%s"%s>%s</a>' % (href, kind, self.emphasised(self.set_as_printed(words))))
 
+    def state(self, m):
+        """Words that name a state of a live figure of this page; live.js makes them a link to it."""
+        if "<!-- live %s -->" % m[1] not in self.book.text.get(self.page, ""):
+            self.book.complain(self.book.path.get(self.page, self.page), "no live figure %s on this page, set to %s" % (m[1], m[2]))
+        return self.keep('<span class="set" data-figure="%s" data-set="%s">' % (m[1], m[2])) + m[3] + self.keep("</span>")
+
     def paper(self, m):
         r"""Equations of a paper, \PaperEq{XuanLi2002, 23}, and the entry of the paper."""
         shown = []
@@ -99,6 +106,7 @@ class Inline:
 
     def finished(self, text):
         """Everything that later rules have to leave alone."""
+        text = SET.sub(self.state, text)
         text = re.sub(r"<!--.*?-->", "", text)
         text = CODE.sub(self.code, text)
         text = TICKED.sub(self.small, text)

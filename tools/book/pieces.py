@@ -52,16 +52,22 @@ def figure(text, words, url, printed=False):
         wide, attribute("id", "fig-" + m[1].replace(".", "-") if m else ""), caption, img)
     if not printed:
         return whole
+    return folded(text.book, words.split(":")[0], whole)
+
+
+def folded(book, words, printed):
+    """A printed figure below the one that computes."""
     return '<details class="live-printed"%s><summary>%s, as printed</summary>%s</details>' % (
-        "" if text.book.engine else " open", words.split(":")[0], whole)
+        "" if book.engine else " open", words, printed)
 
 
 def live(text, name):
     """The place of a figure that computes, as high as the figure will be: nothing moves when it comes."""
-    path = "%s/live/%s.cpp" % (os.path.dirname(text.book.path[text.page]), name)
-    if not (text.book.root / path).is_file():
-        text.book.complain(text.book.path[text.page], "no live figure %s: expected %s" % (name, path))
+    found = sorted(text.book.root.glob("chapters/*/live/%s.cpp" % name))
+    if not found:
+        text.book.complain(text.book.path[text.page], "no live figure %s: expected chapters/*/live/%s.cpp" % (name, name))
         return ""
+    path = str(found[0].relative_to(text.book.root))
     wide, narrow = text.book.rooms.get(name, ROOM)
     return '<div class="live" data-figure="%s" data-source="%s.html" data-label="live/%s.cpp" %s></div>' % (
         name, text.book.source_page(path), name, 'style="--room:%dpx;--room-phone:%dpx"' % (wide, narrow))

@@ -1,6 +1,4 @@
 // Live figure of chapter 2: drag the weights of the three candidates over their triangle.
-#include <limits>
-
 #include "../three_candidates.hpp"
 #include "live/figure.hpp"
 #include "papers/surrogate_dual.hpp"
@@ -20,6 +18,32 @@ Vector3d weights_of(const Request& now) {
           std::max(0.0, 1 - (now["first"] + now["second"]) / sum)};
 }
 
+void mark(Panel& triangle, const char* label, Look look, const Vector3d& weights) {
+  const Vector2d at = in_triangle(weights);
+  triangle.curve(label, look, at.head(1), at.tail(1));
+}
+
+// The block under these forces; where it overlaps, it lies within the obstacle.
+Panel picture_of(const ch02::Block& block, const VectorXd& force) {
+  const Mesh mesh = ch02::two_cells();
+  const VectorXd u =
+      block.free_displacement - block.factor.solve(block.programme.A.transpose() * force);
+  const NodeArray place = mesh.nodes + expand(ch02::pressed_down(mesh), u);
+  Panel picture{"The block under these forces, to scale", "x [mm]", "y [mm]", true};
+  picture.window = {-23, 23, -9, 21};
+  const VectorXd x = VectorXd::LinSpaced(47, -23, 23);
+  VectorXd outline_x(49), outline_y(49);
+  outline_x << x, 23, -23;
+  outline_y << ((400. * 400 - (x.array() - 5).square()).sqrt() - 400).matrix(), -9, -9;
+  picture.curve("obstacle, rigid", Look::Solid, outline_x, outline_y);
+  picture.cells("", place, mesh.cells, VectorXd::Zero(mesh.n_cells()), 1);
+  const std::vector<Index> base = boundary_nodes(mesh, "bottom");
+  NodeArray up(3, 2);
+  up.rowwise() = Eigen::RowVector2d(0, 1);
+  picture.arrows("forces", place(base, Eigen::all), up, force, 0.4);
+  return picture;
+}
+
 Answer trade_off(const Request& now) {
   static const ch02::Block block = ch02::pressed_block();
   const ContactProblem& problem = block.problem;
@@ -30,23 +54,20 @@ Answer trade_off(const Request& now) {
   const VectorXd force = trade.force * xi;
   const VectorXd gap = problem.free_gap + problem.compliance * force;
 
-  Panel triangle{"What the weights are worth, s", "weight of the left pair",
-                 "weight of the middle pair", true};
-  triangle.window = {-0.03, 1.03, -0.03, 1.03};
-  const VectorXd grid = VectorXd::LinSpaced(61, 0, 1);
-  triangle.map("s", grid, grid, [&](double a, double b) {
-    return a + b > 1 ? std::numeric_limits<double>::quiet_NaN()
-                     : ch02::trade(problem, Vector3d(a, b, 1 - a - b)).energy;
-  });
-  triangle.curve("largest s", Look::Cross, best.head(1), best.segment(1, 1));
-  triangle.curve("these weights", Look::Here, xi.head(1), xi.segment(1, 1));
-  triangle.drag_x = "first";
-  triangle.drag_y = "second";
+  Panel triangle{"What the weights are worth, s", "all on the left pair, or on the middle one",
+                 "above: all on the right pair"};
+  triangle.triangle(
+      "s [N mm]", [&](const Vector3d& at) { return ch02::trade(problem, at).energy; },
+      {0.5, 1, 2, 3, 4, 5, 6, 7}, "0.5, 1, 2, \u2026 7", 7.1, "first", "second");
+  mark(triangle, "largest s", Look::Cross, best);
+  mark(triangle, "these weights", Look::Here, xi);
   const Vector3d x(-20, 0, 20);  // of the nodes of the base
   Panel forces{"Contact forces", "x [mm]", "force [N]"};
+  forces.window = {-22, 22, 0, 12};
   forces.curve("solution", Look::Cross, x, block.force);
   forces.curve("these weights", Look::Closed, x, force);
   Panel gaps{"Gaps that are left", "x [mm]", "gap [mm], overlap < 0"};
+  gaps.window = {-22, 22, -1.2, 0.8};
   gaps.curve("closed", Look::Dotted, Vector2d(x.minCoeff(), x.maxCoeff()), Vector2d(0, 0));
   gaps.curve("these weights", Look::Open, x, gap);
 
@@ -69,7 +90,7 @@ Answer trade_off(const Request& now) {
                      " under ", number(100 * trade.force / block.force.sum(), "%.0f"),
                      " % of the force of the solution.");
   answer.sets = {overlapping};
-  answer.panels = {triangle, forces, gaps};
+  answer.panels = {triangle, picture_of(block, force), forces, gaps};
   return answer;
 }
 

@@ -1,5 +1,5 @@
 // Live figure of chapter 3: six rules for the weights, step by step.
-#include <limits>
+#include <algorithm>
 
 #include "../three_problems.hpp"
 #include "live/figure.hpp"
@@ -42,20 +42,19 @@ Climb climb(const ContactProblem& problem) {
 }
 
 Panel triangle(const Climb& top, const MatrixXd& path) {
-  Panel panel{"The way up", "weight of cart 1", "weight of cart 2", true};
-  panel.window = {-0.04, 1.04, -0.04, 1.04};
-  const VectorXd grid = VectorXd::LinSpaced(51, 0, 1);
-  const auto missing = [&top](double a, double b) {
-    const double s = surrogate_dual_value(top.problem, Eigen::Vector3d(a, b, 1 - a - b));
-    return a + b > 1 + 1e-9 ? std::numeric_limits<double>::quiet_NaN() : 1 - s / top.height;
+  Panel panel{"The way up", "all weight on cart 1, or on cart 2", "above: all on cart 3"};
+  const auto missing = [&top](const Eigen::Vector3d& xi) {
+    return 1 - surrogate_dual_value(top.problem, xi) / top.height;
   };
-  panel.map("missing part of the best s", grid, grid, missing);
-  panel.level_lines("20, 10, 5, 2 % are missing", Look::Dotted, grid, grid, missing,
-                    {0.2, 0.1, 0.05, 0.02});
-  panel.curve("best s", Look::Cross, top.best.head(1), top.best.segment(1, 1));
-  panel.curve("", Look::Line, path.row(0), path.row(1));
-  panel.curve("steps", Look::Closed, path.row(0), path.row(1));
-  panel.curve("here", Look::Here, path.row(0).tail(1), path.row(1).tail(1));
+  panel.triangle("missing part of the best s", missing, {0.02, 0.05, 0.1, 0.2},
+                 "20, 10, 5, 2 % are missing", 1);
+  MatrixXd place(2, path.cols());
+  for (Index k = 0; k < path.cols(); ++k) place.col(k) = in_triangle(path.col(k));
+  const Eigen::Vector2d best = in_triangle(top.best);
+  panel.curve("best s", Look::Cross, best.head(1), best.tail(1));
+  panel.curve("", Look::Line, place.row(0), place.row(1));
+  panel.curve("steps", Look::Closed, place.row(0), place.row(1));
+  panel.curve("here", Look::Here, place.row(0).tail(1), place.row(1).tail(1));
   return panel;
 }
 
@@ -73,16 +72,23 @@ Answer step_by_step(const Request& now) {
   const VectorXd& xi = run.weights();
   const VectorXd pair = VectorXd::LinSpaced(xi.size(), 1, static_cast<double>(xi.size()));
   Panel weights{"The weights", "pair", "weight"};
+  const double pairs = static_cast<double>(xi.size()),
+               widest = top.problem.free_gap.cwiseAbs().maxCoeff();
+  weights.window = {0, pairs + 1, 0, 1.05};
+  weights.whole_x = true;
   weights.curve("best", Look::Dashed, pair, top.best);
   weights.points("pairs", pair, xi, xi, "with weight", "without");
   Panel missing{"What is missing to the best s", "steps", "part of the best s"};
   missing.log_y = true;
-  missing.window = {0, xi.size() > 3 ? 200 : std::max(25.0, 1.1 * now["steps"]), 1e-12, 1};
+  missing.window = {0, most, 5e-13, 1};
   for (Index r = 0; r < 6; ++r)
     missing.curve(r == 0 ? "all rules" : "", Look::Dotted, step_numbers, top.missing.col(r));
   missing.curve(rules[rule].name, Look::Line, step_numbers, missed);
   missing.curve("here", Look::Here, step_numbers.segment(steps, 1), missed.segment(steps, 1));
   Panel overlaps{"Overlaps that are left", "pair", "overlap"};
+  overlaps.window = {0, pairs + 1, -widest, widest};
+  overlaps.whole_x = true;
+  overlaps.clips = true;
   overlaps.curve("no gap", Look::Dotted, pair, 0 * pair);
   overlaps.points("pairs", pair, run.overlap(), xi, "with weight", "without");
 
@@ -109,11 +115,12 @@ Answer step_by_step(const Request& now) {
 Figure rules() {
   return {"rules",
           "Six rules on their way to the best weights",
-          {choice("problem", "problem", "three_carts",
-                  {"three_carts", "half-plane_200", "Rosen-Suzuki_50_50", "Rosen-Suzuki_20_80"}),
+          {with_own_axes(choice(
+               "problem", "problem", "three_carts",
+               {"three_carts", "half-plane_200", "Rosen-Suzuki_50_50", "Rosen-Suzuki_20_80"})),
            choice("rule", "rule", "line_search",
                   {"literal", "2/(k+2)", "line_search", "away_steps", "pairwise", "corrective"}),
-           slider("steps", "steps", 6, 0, 200, 1),
+           playing(slider("steps", "steps", 6, 0, most, 1)),
            slider("second", "overlap of cart 2 [mm]", 2.2, 0, 3, 0.1)},
           step_by_step};
 }

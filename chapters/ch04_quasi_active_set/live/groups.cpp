@@ -21,17 +21,20 @@ ContactProblem pairs_problem(const Request& now) {
 
 Way walk(const Request& now) {
   if (now.chosen("method") == "repaired") return repaired_way(pairs_problem(now));
-  return printed_way(pairs_problem(now), choices[static_cast<std::size_t>(now.whole("method"))].rows);
+  return printed_way(pairs_problem(now),
+                     choices[static_cast<std::size_t>(now.whole("method"))].rows);
 }
 
-// Each of the last twelve steps is a column of marks, one for each pair that overlapped before it.
+// Each of the last twelve steps is a column of marks, one for each pair that overlapped before it. Steps are counted back
+// from the one shown, so that the axes stay.
 Panel chart(const Way& way, std::size_t last) {
   const auto here = static_cast<double>(last), pairs = static_cast<double>(way.best.size());
-  Panel panel{"Which pairs a step takes", "step", "pair"};
-  panel.window = {std::max(0.0, here - 12) + 0.4, std::max(12.0, here) + 0.6, 0.4, pairs + 0.6};
+  Panel panel{"Which pairs a step takes", "steps after the one shown", "pair"};
+  panel.window = {-11.6, 0.6, 0.4, pairs + 0.6};
+  panel.whole_x = panel.whole_y = true;
   const char* labels[] = {"taken and pressed", "taken, not pressed", "overlaps, not taken"};
   const Look looks[] = {Look::Closed, Look::Cross, Look::Open};
-  panel.curve("here", Look::Dotted, Vector2d(here, here), Vector2d(0, pairs + 1));
+  panel.curve("here", Look::Dotted, Vector2d(0, 0), Vector2d(0, pairs + 1));
   for (int kind = 0; kind < 3; ++kind) {
     std::vector<double> x, y;
     for (std::size_t k = last > 12 ? last - 11 : 1; k <= last; ++k) {
@@ -43,7 +46,7 @@ Panel chart(const Way& way, std::size_t last) {
       for (Index i = 0; i < way.best.size(); ++i) {
         const bool is[] = {in(now.pressed, i), in(now.taken, i), in(bad, i)};
         if (std::find(is, is + 3, true) != is + kind) continue;
-        x.push_back(static_cast<double>(k));
+        x.push_back(static_cast<double>(k) - here);
         y.push_back(static_cast<double>(i + 1));
       }
     }
@@ -82,6 +85,10 @@ Answer group_by_group(const Request& now) {
   const VectorXd pair =
       VectorXd::LinSpaced(way.best.size(), 1, static_cast<double>(way.best.size()));
   Panel forces{"Forces of all steps together", "pair", "force"};
+  double strongest = way.best.maxCoeff();
+  for (const Stage& then : way.stages) strongest = std::max(strongest, then.force.maxCoeff());
+  forces.window = {0, static_cast<double>(way.best.size()) + 1, 0, 1.05 * strongest};
+  forces.whole_x = true;
   forces.curve("solution", Look::Cross, pair, way.best);
   forces.points("pairs", pair, stage.force, stage.force, "pressed", "not pressed");
 
@@ -106,12 +113,14 @@ Answer group_by_group(const Request& now) {
 Figure groups() {
   return {"groups",
           "Groups of pairs, step by step",
-          {choice("problem", "problem", "corner",
-                  {"corner", "fan", "four_walls", "random_10", "random_50", "half-plane"}),
-           choice("method", "rows of a step", "all_violated",
-                  {"all_violated", "by_number", "by_overlap", "most_violated", "repaired"}),
-           slider("step", "step shown", 6, 0, 200, 1),
-           slider("seed", "number of the random programme", 1, 1, 100, 1)},
+          {with_own_axes(
+               choice("problem", "problem", "corner",
+                      {"corner", "fan", "four_walls", "random_10", "random_50", "half-plane"})),
+           with_own_axes(
+               choice("method", "rows of a step", "all_violated",
+                      {"all_violated", "by_number", "by_overlap", "most_violated", "repaired"})),
+           playing(slider("step", "step shown", 6, 0, 200, 1)),
+           with_own_axes(slider("seed", "number of the random programme", 1, 1, 100, 1))},
           group_by_group};
 }
 

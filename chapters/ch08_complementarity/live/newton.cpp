@@ -19,21 +19,28 @@ struct Pair {
 };
 
 Panel map_of(const ComplementarityFunction& phi, const Pair& pair, const VectorXd& force) {
-  Panel map{"The function, and the pair's line", "force [N]", "gap [mm]", true};
-  map.window = {least_force, largest_force, least_gap, largest_gap};
-  map.drag_x = "start";
-  const VectorXd x = VectorXd::LinSpaced(57, least_force, largest_force);
-  const VectorXd y = VectorXd::LinSpaced(59, least_gap, largest_gap);
-  const auto value = [&phi](double at_force, double at_gap) { return phi.value(at_gap, at_force); };
-  map.map("value of the function", x, y, value);
+  Panel map{"The function, and the pair's line", "gap a [mm]", "force b [N]", true};
+  map.window = {least_gap, largest_gap, least_force, largest_force};
+  map.drag = {{"start", 0, 1}};
+  const VectorXd x = VectorXd::LinSpaced(59, least_gap, largest_gap);
+  const VectorXd y = VectorXd::LinSpaced(57, least_force, largest_force);
+  const auto value = [&phi](double gap, double at_force) { return phi.value(gap, at_force); };
+  map.map("value of the function", x, y, value, -6, 6);
   map.level_lines("level lines", Look::Dotted, x, y, value, {-3, -2, -1, -0.5, 0.5, 1, 2, 4});
-  map.curve("zeros: open, or closed", Look::Line, Eigen::Vector3d(0, 0, largest_force),
-            Eigen::Vector3d(largest_gap, 0, 0));
+  map.curve("zeros: open, or closed", Look::Line, Eigen::Vector3d(0, 0, largest_gap),
+            Eigen::Vector3d(largest_force, 0, 0));
   const auto gap = [&pair](double at) { return pair.gap(at); };
   const Vector2d ends(least_force, largest_force);
-  map.curve("gaps that forces leave", Look::Dashed, ends, ends.unaryExpr(gap));
-  map.curve("Newton's steps", Look::Closed, force, force.unaryExpr(gap));
-  map.curve("start", Look::Here, force.head(1), force.head(1).unaryExpr(gap));
+  map.curve("gaps that forces leave", Look::Dashed, ends.unaryExpr(gap), ends);
+  const VectorXd gaps = force.unaryExpr(gap);
+  VectorXd way_gap(2 * force.size() - 2), way_force(way_gap.size());  // from each step to the next
+  for (Index k = 0; 2 * k < way_gap.size(); ++k) {
+    way_gap.segment<2>(2 * k) = gaps.segment<2>(k);
+    way_force.segment<2>(2 * k) = force.segment<2>(k);
+  }
+  if (way_gap.size() > 0) map.curve("", Look::Arrow, way_gap, way_force);
+  map.curve("Newton's steps", Look::Closed, gaps, force);
+  map.curve("start", Look::Here, gaps.head(1), force.head(1));
   return map;
 }
 
@@ -42,10 +49,9 @@ Panel tangents(const ComplementarityFunction& phi, const Pair& pair, const Vecto
   Panel along{"Along the pair's line", "force [N]", "value of the function"};
   const VectorXd fine = VectorXd::LinSpaced(281, least_force, largest_force);
   const auto value = [&](double at) { return phi.value(pair.gap(at), at); };
-  const VectorXd values = fine.unaryExpr(value);
-  along.window = {least_force, largest_force, 1.05 * values.minCoeff() - 0.1,
-                  1.05 * values.maxCoeff() + 0.1};
-  along.curve("the function", Look::Line, fine, values);
+  along.window = {least_force, largest_force, -6, 6};
+  along.clips = true;
+  along.curve("the function", Look::Line, fine, fine.unaryExpr(value));
   along.curve("", Look::Dotted, Vector2d(least_force, largest_force), Vector2d(0, 0));
   VectorXd x(2 * force.size() - 1);
   VectorXd y = VectorXd::Zero(x.size());
@@ -73,13 +79,14 @@ Answer go(const Request& now) {
   Panel digits{"How fast", "steps", "residual, and error of the force"};
   digits.log_y = true;
   const VectorXd count = VectorXd::LinSpaced(steps + 1, 0, static_cast<double>(steps));
-  digits.window = {-0.3, static_cast<double>(steps) + 0.3, 1e-17, 100};
+  digits.window = {-0.3, 20.3, 5e-18, 100};
+  digits.whole_x = true;
   const VectorXd error = (force.array() - pair.force()).abs().max(1e-17);  // 0 has no logarithm
   digits.curve("residual", Look::Closed, count,
                VectorXd::Map(run.residuals.data(), steps + 1).cwiseMax(1e-17));
   digits.curve("error of the force [N]", Look::Cross, count, error);
-  digits.curve("enough", Look::Dotted, Vector2d(0, static_cast<double>(steps)),
-               Vector2d(1e-10, 1e-10));
+  for (Layer& layer : digits.layers) layer.varies = true;  // they end in rounding
+  digits.curve("enough", Look::Dotted, Vector2d(0, 20), Vector2d(1e-10, 1e-10));
 
   Answer answer;
   answer.says = !run.ended   ? "60 steps are not enough."
@@ -107,7 +114,7 @@ Figure newton() {
            slider("start", "force at the start [N]", 4, -1.4, 4, 0.05),
            slider("free_gap", "gap without force d [mm]", -1, -1.5, 1, 0.05),
            slider("compliance", "compliance G [mm/N]", 1, 0.25, 2, 0.05),
-           slider("shown", "steps shown", 20, 0, 20, 1)},
+           playing(slider("shown", "steps shown", 20, 0, 20, 1))},
           go};
 }
 

@@ -50,10 +50,13 @@ Facing facing(const TargetSearch& search, const Mesh& mesh, const Vector2d& node
 Panel picture_of(const Facing& here, const Vector2d& node, const Mesh& mesh) {
   Panel picture{"Node 3 and the target", "x [mm]", "y [mm]", true};
   picture.window = {-5.5, 5.5, -2, 6};
-  picture.drag_x = "x";
-  picture.drag_y = "y";
+  picture.clips = true;
+  picture.drag = {{"x", 1, 0}, {"y", 0, 1}};
   const NodeArray top = mesh.nodes.bottomRows(3);
-  picture.curve("target", Look::Line, top.col(0), top.col(1));
+  VectorXd outline_x(5), outline_y(5);
+  outline_x << top.col(0), top(2, 0), top(0, 0);
+  outline_y << top.col(1), -4, -4;
+  picture.curve("target", Look::Solid, outline_x, outline_y);
   picture.curve("its nodes 1, 2, 4", Look::Open, top.col(0), top.col(1));
   picture.curve("node 3", Look::Here, node.head(1), node.tail(1));
   if (!here.at.found) return picture;
@@ -61,9 +64,12 @@ Panel picture_of(const Facing& here, const Vector2d& node, const Mesh& mesh) {
   picture.curve("place 3\u2032", Look::Cross, foot.head(1), foot.tail(1));
   picture.curve("gap", Look::Dashed, Vector2d(foot.x(), node.x()), Vector2d(foot.y(), node.y()));
   const Nodes end = here.X + nodal_forces(here.place, 1.2, 0.5);
-  for (Index i = 0; i < 3; ++i)
-    picture.curve(i == 0 ? "forces, 1 mm is 1 N" : "", Look::Dotted,
-                  Vector2d(here.X(i, 0), end(i, 0)), Vector2d(here.X(i, 1), end(i, 1)));
+  VectorXd x(6), y(6);
+  for (Index i = 0; i < 3; ++i) {
+    x.segment<2>(2 * i) << here.X(i, 0), end(i, 0);
+    y.segment<2>(2 * i) << here.X(i, 1), end(i, 1);
+  }
+  picture.curve("forces, 1 mm is 1 N", Look::Arrow, x, y);
   return picture;
 }
 
@@ -79,11 +85,13 @@ Answer slide(const Request& now) {
     sweep.row(k) << there.shares.transpose(), there.turn;
   }
   Panel shares{"Who bears its force, at this height", "x of node 3 [mm]", "part of its force"};
+  shares.window = {-5.5, 5.5, -0.05, 1.05};
   const Look looks[] = {Look::Line, Look::Dashed, Look::Dotted};
   const char* nodes[] = {"1", "2", "4"};
   for (Index i = 0; i < 3; ++i) shares.curve(text("node ", nodes[i]), looks[i], x, sweep.col(i));
   shares.curve("here", Look::Closed, Vector3d::Constant(node.x()), here.shares);
   Panel turn{"Direction of the normal", "x of node 3 [mm]", "degrees from upright"};
+  turn.window = {-5.5, 5.5, -90, 90};
   turn.curve("to the right is positive", Look::Line, x, sweep.col(3));
   turn.curve("here", Look::Closed, node.head(1), VectorXd::Constant(1, here.turn));
   Answer answer;

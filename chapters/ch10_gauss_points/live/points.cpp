@@ -43,10 +43,10 @@ VectorXd pushed(const ClosedPoints& closed, Index point, double wish) {
 
 Panel points_panel(const Points& all, const VectorXd& x, const VectorXd& pressure, Index point) {
   Panel panel{"Pressures of points", "x / b", "pressure / q\u2080"};
-  panel.drag_x = "place";
-  panel.drag_y = "wish";
+  panel.drag = {{"place", 1, 0}, {"wish", 0, 1}};
   const VectorXd lowest = all.possible.lowest / q0, highest = all.possible.highest / q0;
-  panel.window = {-0.02, 1.15, -0.1, std::max(1.5, 1.05 * highest.maxCoeff())};
+  panel.window = {-0.02, 1.15, -0.1, 5.8};
+  panel.clips = true;
   for (Index k = 0; k < x.size(); ++k)
     panel.curve(k == 0 ? "possible" : "", Look::Dotted, Vector2d(x(k), x(k)),
                 Vector2d(lowest(k), highest(k)));
@@ -71,6 +71,8 @@ Answer push(const Request& now) {
   force(closed.points) = change.cwiseProduct(closed.root.cwiseAbs2());
 
   Panel unfelt{"The part that no node feels", "x / b", "change of pressure / q\u2080"};
+  unfelt.window = {-0.02, 1.15, -2.5, 4.5};
+  unfelt.clips = true;
   unfelt.curve("none", Look::Dotted, Vector2d(0, 1.15), Vector2d(0, 0));
   unfelt.curve("points", Look::Closed, x, change / q0);
   Panel nodes{"Pressures of nodes", "x / b", "pressure / q\u2080"};
@@ -83,6 +85,8 @@ Answer push(const Request& now) {
               nodal.solution.pressure / q0);
   Answer answer;
   answer.panels = {points_panel(all, x, pressure, point), unfelt, nodes};
+  for (const std::size_t k : {0, 1})  // another solver, other pressures
+    for (Layer& layer : answer.panels[k].layers) layer.varies = closed.free.cols() > 0;
   const VectorXd fine = VectorXd::LinSpaced(161, 0, 1.15);
   const auto exact = [](double at) { return hertz_pressure(hertz_contact, at * half_width) / q0; };
   for (const std::size_t k : {0, 2})

@@ -2,6 +2,7 @@
 #include "../hertz_run.hpp"
 #include "live/figure.hpp"
 #include "papers/solver_table.hpp"
+#include "signorini/core/table.hpp"
 
 namespace live {
 namespace {
@@ -56,8 +57,8 @@ Panel pressure_curves(const HertzRun& out) {
   const auto n =
       static_cast<Index>(std::lower_bound(out.x.begin(), out.x.end(), widest) - out.x.begin());
   Panel panel{"Contact pressure", "x [mm]", "pressure [MPa]"};
-  panel.window = {0, widest, 0,
-                  1.08 * std::max(hertz_peak_pressure(theory), solution.pressure.maxCoeff())};
+  panel.window = {0, widest, 0, 40};
+  panel.clips = true;
   panel.curve("Hertz", Look::Dashed, fine, fine.unaryExpr(ellipse));
   panel.points("pairs", out.run.model.pairs.position.col(0)(near), solution.pressure(near),
                solution.contact.force(near));
@@ -67,7 +68,23 @@ Panel pressure_curves(const HertzRun& out) {
   return panel;
 }
 
-Answer press(const Request& now) {
+Panel widths(const Request& now, const HertzRun& out) {
+  Panel panel{"Half-width over load", "load P [N/mm]", "half-width b [mm]"};
+  panel.window = {0, heaviest + 1, 0, 1.4};
+  const VectorXd fine = VectorXd::LinSpaced(121, 0.5, heaviest);
+  panel.curve("Hertz", Look::Dashed, fine, fine.unaryExpr([&out](double load) {
+    LineContact theory = out.now.theory();
+    theory.force = load;
+    return hertz_half_width(theory);
+  }));
+  panel.trail("loads so far",
+              text(now.chosen("operator"), ", ", now.chosen("element"), ", ", now.chosen("cells"),
+                   now.on("meet") ? "" : ", apart"),
+              now["load"], out.half_width);
+  return panel;
+}
+
+Answer compress(const Request& now) {
   const HertzCase wanted = case_of(now);
   Loaded& bodies = kept(now.key({"load"}), [&wanted] { return loaded(wanted); });
   const HertzRun out = read_hertz(wanted, bodies.scene_at(wanted.load / heaviest));
@@ -77,10 +94,12 @@ Answer press(const Request& now) {
 
   Panel near{"Disc and plate near the contact, to scale", "x [mm]", "y [mm]", true};
   near.window = {0, 3, -1.5, 1.5};
-  near.bodies(out.run.model, solution);
+  near.bodies(out.run.model, solution, 25);
+  near.pressure(out.run.model, solution, 0.025);
   Panel gap{"Gap", "x [mm]", "gap [\u00b5m]"};
   const VectorXd micrometres = 1000 * solution.contact.gap;
   gap.window = {0, widest, -1, 15};
+  gap.clips = true;
   gap.points("pairs", out.run.model.pairs.position.col(0)(near_pairs), micrometres(near_pairs),
              solution.contact.force(near_pairs));
 
@@ -99,7 +118,7 @@ Answer press(const Request& now) {
   answer.number("rms", "pressures off by, root mean square", rms, "%", "%.2f");
   answer.number("last", "last closed pair at", out.last_closed / b, "b", "%.3f");
   answer.solution(solution, out.now.points == 0);
-  answer.panels = {pressure_curves(out), gap, near};
+  answer.panels = {near, pressure_curves(out), widths(now, out), gap};
   return answer;
 }
 
@@ -109,13 +128,13 @@ Figure hertz() {
   return {
       "hertz",
       "A cylinder on a plate",
-      {slider("load", "load P [N/mm]", 41.76, 10.44, heaviest, 1.74),
+      {playing(slider("load", "load P [N/mm]", 41.76, 10.44, heaviest, 1.74)),
        toggle("meet", "nodes of disc and plate meet", true),
        choice("operator", "gaps by", "mortar",
               {"mortar", "node_to_segment", "gauss_points_1", "gauss_points_2"}),
        choice("element", "element", "q4_incompatible", {"q4", "q4_bbar", "q4_incompatible", "q8"}),
        choice("cells", "cells on the core, of q8 half as many", "16", {"12", "16", "32"})},
-      press};
+      compress};
 }
 
 }  // namespace live

@@ -4,6 +4,7 @@
 #include "../readings.hpp"
 #include "../rings.hpp"
 #include "live/figure.hpp"
+#include "signorini/core/table.hpp"
 
 namespace live {
 namespace {
@@ -57,14 +58,17 @@ Answer widen(const Request& now) {
   for (std::size_t b = 0; b < 2; ++b) {
     const BodyModel& body = run.model.bodies[b];
     const NodeArray& u = solution.displacements[b];
-    bodies.body(body, u, drawn(body.mesh, now["gap"]).nodes + magnified * u);
+    bodies.body(body, u, drawn(body.mesh, now["gap"]).nodes + magnified * u, 1200);
   }
+  bodies.pressure(run.model, solution, 0.08, magnified);
   const Vector2d arc(0, 90);
   Panel pressure{"Contact pressure along the rim", "angle [degrees]", "pressure [MPa]"};
   pressure.curve("closed form", Look::Dashed, arc, Vector2d(exact, exact));
   pressure.points("pairs", degrees, solution.pressure, solution.contact.force);
-  pressure.window = {-2, 92, 0, 1.1 * std::max({1., exact, solution.pressure.maxCoeff()})};
+  pressure.window = {-2, 92, 0, 110};
+  pressure.clips = true;
   Panel gap{"Gap along the rim", "angle [degrees]", "gap [cm]"};
+  gap.window = {-2, 92, -0.06, 0.36};
   gap.curve("closed form", Look::Dashed, arc, Vector2d(left, left));
   gap.curve("before loading", Look::Cross, degrees, run.model.pairs.initial_gap);
   gap.points("pairs", degrees, solution.contact.gap, solution.contact.force);
@@ -82,7 +86,16 @@ Answer widen(const Request& now) {
   answer.number("u", "inner rim moves by, mean", inner_rim(run).mean(), "cm", "%.5f");
   answer.number("u_exact", "closed form", inner_rim(theory), "cm", "%.5f");
   answer.solution(solution, press > 0 || now["gap"] > 0);
-  answer.panels = {bodies, pressure, gap};
+  Panel closing{"Pressure over load", "load p [MPa]", "contact pressure, mean [MPa]"};
+  closing.window = {0, 180, 0, 100};
+  const VectorXd loads = VectorXd::LinSpaced(181, 0, 180);
+  closing.curve("closed form", Look::Dashed, loads, loads.unaryExpr([&theory](double load) {
+    NestedRings then = theory;
+    then.pressure_inside = load;
+    return nested_pressure(then).inner.outside;
+  }));
+  closing.trail("loads so far", text(now["gap"], " cm"), now["load"], solution.pressure.mean());
+  answer.panels = {bodies, pressure, closing, gap};
   return answer;
 }
 
@@ -92,7 +105,7 @@ Figure lining() {
   return {
       "lining",
       "Load until the ring closes",
-      {slider("load", "load p [MPa]", paper.pressure, 0, 180, 1),
+      {playing(slider("load", "load p [MPa]", paper.pressure, 0, 180, 1)),
        slider("gap", "gap between the rings [cm]", 0.15, -0.05, 0.3, 0.01),
        toggle("meet", "nodes of both rings meet", true),
        choice("operator", "gaps by", "mortar", {"mortar", "node_to_segment", "gauss_points"}),

@@ -44,6 +44,7 @@ Panel shear(const Way& way, std::size_t last) {
   const VectorXd bound = most * (1 - (fine / b).array().square()).max(0).sqrt();
   const auto exact = [&](double at) { return way.known.shear(times[last], at); };
   Panel panel{"Shear on the plate", "x [mm]", "shear [MPa]"};
+  panel.window = {-1.05, 1.05, -15, 15};
   panel.curve("what friction bears", Look::Dotted, fine, bound);
   panel.curve("", Look::Dotted, fine, -bound);
   panel.curve("closed form", Look::Dashed, fine, fine.unaryExpr(exact));
@@ -63,6 +64,8 @@ Panel loop(const Way& way, std::size_t last) {
     push(k) = way.known.push().at(then.state.time) / slip_limit(way.known.slip);
   }
   Panel panel{"The way so far", "slip, mean over the contact [nm]", "push / \u03bcP"};
+  panel.window = {-500, 500, -1, 1};
+  panel.clips = true;
   panel.curve("steps so far", Look::Line, slip, push);
   panel.curve("now", Look::Here, slip.tail(1), push.tail(1));
   return panel;
@@ -73,13 +76,24 @@ Panel stick_map(const Way& way, std::size_t last) {
   const double h = 0.95 / 16;  // of the cells in the middle
   Panel panel{"Stick map, read from below", "x [mm]", "step"};
   panel.window = {-14 * h, 14 * h, 0, double(times.size())};
-  panel.map("slides", VectorXd::LinSpaced(28, -13.5 * h, 13.5 * h),
-            VectorXd::LinSpaced(Index(last) + 2, 0, double(last) + 1), [&](double at, double row) {
-              Index pair = 0;
-              (x.array() - at).abs().minCoeff(&pair);
-              const double slip = way.steps[std::size_t(row)].state.increment(pair);
-              return slip > 0 ? 1. : slip < 0 ? -1. : 0.;
-            });
+  panel.map(
+      "slides", VectorXd::LinSpaced(28, -13.5 * h, 13.5 * h),
+      VectorXd::LinSpaced(Index(last) + 2, 0, double(last) + 1),
+      [&](double at, double row) {
+        Index pair = 0;
+        (x.array() - at).abs().minCoeff(&pair);
+        const double slip = way.steps[std::size_t(row)].state.increment(pair);
+        return slip > 0 ? 1. : slip < 0 ? -1. : 0.;
+      },
+      -1, 1);
+  return panel;
+}
+
+Panel cylinder_of(const Way& way, std::size_t last) {
+  Panel panel{"Cylinder and plate near the contact, to scale", "x [mm]", "y [mm]", true};
+  panel.window = {-1.5, 1.5, -1.1, 1.1};
+  panel.bodies(way.scene.model, way.steps[last].solution, 16);
+  panel.pressure(way.scene.model, way.steps[last].solution, 0.035);
   return panel;
 }
 
@@ -101,7 +115,7 @@ Answer push_and_turn(const Request& now) {
   if (now.on("memory"))
     answer.number("lost", "lost by sliding", 1e3 * step.state.dissipation.sum(), "\u00b5J");
   answer.solution(step.solution);
-  answer.panels = {shear(way, last), loop(way, last), stick_map(way, last)};
+  answer.panels = {shear(way, last), loop(way, last), stick_map(way, last), cylinder_of(way, last)};
   return answer;
 }
 
@@ -110,7 +124,7 @@ Answer push_and_turn(const Request& now) {
 Figure friction() {
   return {"friction",
           "A push forth and back",
-          {slider("step", "step: forth to 6, back to 18, forth to 30", 12, 0, 30, 1),
+          {playing(slider("step", "step, turns at 6 and 18", 12, 0, 30, 1)),
            slider("coefficient", "coefficient of friction \u03bc", 0.3, 0.1, 0.8, 0.1),
            slider("turn", "the push turns at, over \u03bcP", 0.6, 0.1, 0.95, 0.05),
            toggle("memory", "slip counts from the step before", true)},

@@ -53,6 +53,7 @@ Panel pressure_of(const SolvedScene& run) {
   const Index n = std::lower_bound(at.x.begin(), at.x.end(), 1.4) - at.x.begin();
   Panel panel{"What such an error looks like", "x [mm]", "pressure [MPa]"};
   panel.window = {0, 1.4, 0, 32};
+  panel.clips = true;
   panel.curve("Hertz", Look::Dashed, fine, fine.unaryExpr(ellipse));
   panel.curve("nodes", Look::Closed, VectorXd::Map(at.x.data(), n),
               VectorXd::Map(at.pressure.data(), n));
@@ -71,6 +72,7 @@ Answer pay(const Request& now) {
   Panel curves{"Error and price", counted ? "unknowns" : "operations",
                "error of the pressure [% of q\u2080]"};
   curves.log_x = curves.log_y = true;
+  curves.window = {counted ? 80. : 5e4, counted ? 2e4 : 2e8, 0.02, 100};
   for (std::size_t k = 0; k < elements.size(); ++k) {
     curves.curve(elements[k], looks[k], column(lines[k], cost), column(lines[k], &Point::error));
     const double one = price(lines[k], 1, cost);
@@ -86,7 +88,8 @@ Answer pay(const Request& now) {
                          VectorXd::Constant(1, here.error));
   Panel mesh{"Disc and plate near the contact", "x [mm]", "y [mm]", true};
   mesh.window = {0, 3, -1.5, 1.5};
-  mesh.bodies(run.model, run.solution);
+  mesh.bodies(run.model, run.solution, 25);
+  mesh.pressure(run.model, run.solution, 0.025);
   answer.panels.push_back(pressure_of(run));
   answer.panels.push_back(mesh);
   answer.says = here.error <= 1 ? "One percent is reached." : "One percent is not reached.";
@@ -113,7 +116,7 @@ Figure work_precision() {
               {"mortar", "mortar_nodes_meet", "node_to_segment", "two_gauss_points"}),
        choice("solver", "solver", "primal_dual_active_set",
               {"primal_dual_active_set", "quasi_active_set", "projected_gauss_seidel"}),
-       choice("price", "price in", "unknowns", {"unknowns", "operations"})},
+       with_own_axes(choice("price", "price in", "unknowns", {"unknowns", "operations"}))},
       pay};
 }
 

@@ -36,6 +36,14 @@ void curve(Panel& panel, const char* label, Look look, const VectorXd& values) {
   if (values.size() > 0) panel.curve(label, look, numbers(values.size()), values);
 }
 
+// From zero to the largest of the values that are ours, with room beside them.
+std::vector<double> window_of(const VectorXd& values) {
+  if (values.size() == 0) return {0, 1, -1, 1};
+  const double least = std::min(0., values.minCoeff()), most = std::max(0., values.maxCoeff());
+  const double size = most > least ? most - least : 1;
+  return {0, static_cast<double>(values.size()) + 1, least - 0.2 * size, most + 0.2 * size};
+}
+
 // Their figures by line of the table.
 void marks(Panel& panel, const char* label, Look look, const std::vector<Index>& lines,
            const VectorXd& worst) {
@@ -50,9 +58,13 @@ Answer visit(const Request& now) {
   Panel certificates{"The worst figure of the certificate of each who claims a solution",
                      "line of the table", "worst figure"};
   certificates.log_y = true;
+  certificates.whole_x = true;
+  const auto& all = museum::visitors();
+  certificates.window = {0, static_cast<double>(all.size()) + 1, 1e-21, 1e3};
+  certificates.clips = true;
   Panel forces{"Contact forces", "pair", "force"};
   Panel gaps{"Gaps", "pair", "gap"};
-  const auto& all = museum::visitors();
+  forces.whole_x = gaps.whole_x = forces.clips = gaps.clips = true;
   certificates.curve("accepted", Look::Dotted, Eigen::Vector2d(1, static_cast<double>(all.size())),
                      Eigen::Vector2d::Constant(museum::accepted));
   std::vector<Set> verdicts = {{"solved", {}}, {"honest", {}}, {"refuted", {}}, {"not_for", {}}};
@@ -66,6 +78,8 @@ Answer visit(const Request& now) {
       worst(static_cast<Index>(k)) = std::max(said.certificate.worst(), 1e-20);
     if (all[k] != "ours" && all[k] != now.chosen("beside")) continue;
     const bool ours = all[k] == "ours";
+    if (ours) forces.window = window_of(said.contact.force);
+    if (ours) gaps.window = window_of(said.contact.gap);
     curve(forces, ours ? "ours" : "beside", ours ? Look::Cross : Look::Open, said.contact.force);
     curve(gaps, ours ? "ours" : "beside", ours ? Look::Cross : Look::Open, said.contact.gap);
   }
@@ -74,6 +88,8 @@ Answer visit(const Request& now) {
                   static_cast<double>(set.members.size()), "", "%.0f");
   marks(certificates, "certified", Look::Closed, verdicts[0].members, worst);
   marks(certificates, "refuted", Look::Cross, verdicts[2].members, worst);
+  for (Panel* panel : {&certificates, &gaps})  // many of them are rounding
+    for (Layer& layer : panel->layers) layer.varies = true;
   answer.sets = verdicts;
   answer.panels = {certificates};
   for (const Panel& panel : {forces, gaps})
@@ -87,30 +103,30 @@ Figure hard() {
   std::vector<std::string> others(museum::visitors().begin() + 1, museum::visitors().end());
   return {"hard",
           "Pick a hard case",
-          {choice("exhibit", "exhibit", "stiff_on_soft_1e12",
-                  {"hilbert_8",
-                   "gap_1e-16",
-                   "poisson_0_49999",
-                   "stiff_on_soft_1e12",
-                   "units_micrometres_giganewtons",
-                   "cycle_of_three",
-                   "hundred_equal_pairs",
-                   "nothing_pushes",
-                   "tiny_floating",
-                   "same_row_five_times",
-                   "gauss_points_4",
-                   "contact_twice",
-                   "contradicting_rows",
-                   "pulled_away",
-                   "tips_over",
-                   "corner_in_an_edge",
-                   "patch_on_other_nodes",
-                   "turned_normal",
-                   "three_answers",
-                   "slope_holds",
-                   "just_slides",
-                   "misspelt_operator",
-                   "element_of_other_cells"}),
+          {with_own_axes(choice("exhibit", "exhibit", "stiff_on_soft_1e12",
+                                {"hilbert_8",
+                                 "gap_1e-16",
+                                 "poisson_0_49999",
+                                 "stiff_on_soft_1e12",
+                                 "units_micrometres_giganewtons",
+                                 "cycle_of_three",
+                                 "hundred_equal_pairs",
+                                 "nothing_pushes",
+                                 "tiny_floating",
+                                 "same_row_five_times",
+                                 "gauss_points_4",
+                                 "contact_twice",
+                                 "contradicting_rows",
+                                 "pulled_away",
+                                 "tips_over",
+                                 "corner_in_an_edge",
+                                 "patch_on_other_nodes",
+                                 "turned_normal",
+                                 "three_answers",
+                                 "slope_holds",
+                                 "just_slides",
+                                 "misspelt_operator",
+                                 "element_of_other_cells"})),
            choice("beside", "forces and gaps beside ours", "penalty", others)},
           visit};
 }

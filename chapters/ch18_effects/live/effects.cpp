@@ -45,13 +45,15 @@ Answer switched(const Request& now) {
   Panel pressure{"Contact pressure", "x [mm]", "pressure [MPa]"};
   const VectorXd x = run.model.pairs.position.col(0);
   const VectorXd fine = VectorXd::LinSpaced(161, 0, 1.6);
-  pressure.window = {0, 1.6, 0, 1.1 * std::max(sum.peak_pressure, 1.0)};
+  pressure.window = {0, 1.6, 0, 40};
+  pressure.clips = true;
   pressure.curve("Hertz, for the same force", Look::Dashed, fine,
                  theory(now, std::abs(sum.force.y()), fine));
   pressure.points("pairs", x, run.solution.pressure, run.solution.contact.force);
   Panel bodies{"Where they touch, displacements to scale", "x [mm]", "y [mm]", true};
   bodies.window = {0, 3, -1.2, 1.2};
-  bodies.bodies(run.model, run.solution);
+  bodies.bodies(run.model, run.solution, 25);
+  bodies.pressure(run.model, run.solution, 0.02);
 
   Answer answer;
   answer.says = text(planned.on.size(), " lines of the plan are on, ", planned.off.size(),
