@@ -25,15 +25,18 @@ from browser import Browser, chromium
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 BEFORE, AFTER = ["index", "use", "ways"], ["notation", "glossary", "equations", "words", "references"]
+MARGINS = (20, 20, 18, 20)    # of A4 in mm: top, right, bottom, left
+SHEET = {"width": (210 - MARGINS[1] - MARGINS[3]) * 96 / 25.4, "height": (297 - MARGINS[0] - MARGINS[2]) * 96 / 25.4, "line": 3 * 14 * 96 / 72}
+HYPHENS = "/usr/share/hyphen/hyph_en_GB.dic"
 PASSES = 5       # until every number is that of its page
 SECONDS = 900    # for an answer of the browser, on a busy machine
 
 PAGE = """<!DOCTYPE html><html lang="en" class="light"><head><meta charset="utf-8"/><title>Signorini</title>
 <link rel="stylesheet" href="@BOOK@/page.css"/><link rel="stylesheet" href="@BOOK@/formula.css"/>
 <link rel="stylesheet" href="@DOCS@/print.css"/>
-<style>@page { size: A4; margin: 22mm 20mm 20mm; @bottom-center { content: counter(page); font: 9pt Pagella, serif; } }
+<style>@page { size: A4; margin: @MARGIN@; @bottom-center { content: counter(page); font: 9pt Pagella, serif; } }
 @page :first { @bottom-center { content: none; } }</style>
-<script src="@DOCS@/print.js"></script></head><body></body></html>
+<script src="@DOCS@/print.js"></script><script src="@DOCS@/flow.js"></script></head><body></body></html>
 """
 
 
@@ -133,9 +136,13 @@ class Pdf:
 
 def contents(folder):
     """What print.js joins."""
-    version = re.search(r"project\(signorini\s+VERSION\s+([\d.]+)", read(os.path.join(ROOT, "CMakeLists.txt")))
     brief = re.search(r'PROJECT_BRIEF\s*=\s*"(.*?)[:"]', read(os.path.join(ROOT, "docs/Doxyfile.in")))
-    book = {"base": "file://" + folder + "/", "brief": brief[1], "version": "Version " + version[1] if version else "",
+    cited, licence = read(os.path.join(ROOT, "CITATION.cff")), read(os.path.join(ROOT, "LICENSE"))
+    authors, = re.findall(r'(?ms)^authors:\n  - name: "(.*?)"$', cited)
+    version, = re.findall(r"(?m)^version: (.*)$", cited)
+    right, = re.findall(r"(?m)^Copyright \(c\) (.*)$", licence)
+    book = {"base": "file://" + folder + "/", "brief": brief[1], "authors": authors, "version": "Version " + version,
+            "licence": "© %s. %s: free to use, copy, change and share, with this notice." % (right, licence.split("\n")[0]),
             "pages": [{"name": name, "html": read(os.path.join(folder, name + ".html"))} for name in names(folder)]}
     drawn = {src for page in book["pages"] for src in re.findall(r'<img src="([^":]+\.svg)"', page["html"])}
     book["pictures"] = {src: read(os.path.join(folder, src)) for src in drawn if os.path.exists(os.path.join(folder, src))}
@@ -150,6 +157,8 @@ def printed(printer, book):
     wrong = printer.ask("join(%s)" % json.dumps(book))
     printer.ask("settle()")
     printer.wait("ready")
+    printer.ask("hyphenate(%s)" % json.dumps(read(HYPHENS)))
+    printer.ask("floats(%s)" % json.dumps(SHEET))
     wrong += printer.ask("misfits()")
     first, data = {}, b""
     for _ in range(PASSES):    # numbers may move what they number
@@ -175,7 +184,7 @@ def work(folder, ask):
         sys.exit("book-pdf.py: no chromium found, run: tools/setup.sh print")
     browser = Browser(program, SECONDS)
     with tempfile.NamedTemporaryFile("w", suffix=".html") as sheet:
-        sheet.write(PAGE.replace("@DOCS@", os.path.join(ROOT, "docs")).replace("@BOOK@", folder))
+        sheet.write(PAGE.replace("@DOCS@", os.path.join(ROOT, "docs")).replace("@BOOK@", folder).replace("@MARGIN@", " ".join("%dmm" % m for m in MARGINS)))
         sheet.flush()
         try:
             return ask(Printer(browser, "file://" + sheet.name))
