@@ -5,6 +5,8 @@
 "use strict";
 const BROKEN = "p, li, td, figcaption, .hint";    // what has words that may be broken
 const WHOLE = "pre, code, math, svg, .nb";        // and what within it has none
+const SIZES = [0.95, 0.9, 0.85, 0.8];             // of pictures, if one saves a page
+const KEPT = 0.2;                                 // of a page: listings and tables below stay in one piece
 const EDGE = [2, 3];                              // letters that stay together at both ends of a word
 
 /// {letters: numbers between them} of a file of patterns.
@@ -29,16 +31,31 @@ function broken(word, patterns) {
       (i >= EDGE[0] && i <= word.length - EDGE[1] && most[i + 1] % 2 ? "\u00ad" : "") + letter).join("");
 }
 
+/// Is a soft hyphen of a text at the end of a line?
+function ends_line(node, at) {
+  const around = [at - 1, at + 1].map((i) => {
+    const range = document.createRange();
+    range.setStart(node, i);
+    range.setEnd(node, i + 1);
+    return range.getBoundingClientRect();
+  });
+  return around[1].left < around[0].right - 1;
+}
+
+/// Breaks words, then takes away the hyphens that no line ends with: a search would not find words that have them.
 function hyphenate(rules) {
-  const patterns = patterns_of(rules), known = new Map();
+  const patterns = patterns_of(rules), known = new Map(), nodes = [];
   const walk = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT,
       (node) => node.parentElement.closest(BROKEN) && !node.parentElement.closest(WHOLE) ? NodeFilter.FILTER_ACCEPT : NodeFilter.FILTER_REJECT);
-  while (walk.nextNode()) {
-    walk.currentNode.data = walk.currentNode.data.replace(/(?<![\p{L}\d_.])\p{L}?\p{Ll}{4,}(?![\p{L}\d_.]\S)/gu, (word) => {
+  while (walk.nextNode()) nodes.push(walk.currentNode);
+  for (const node of nodes) {
+    node.data = node.data.replace(/(?<![\p{L}\d_.])\p{L}?\p{Ll}{4,}(?![\p{L}\d_.]\S)/gu, (word) => {
       if (!known.has(word)) known.set(word, broken(word, patterns));
       return known.get(word);
     });
   }
+  const left = nodes.map((node) => node.data.replace(/\u00ad/g, (sign, at) => ends_line(node, at) ? sign : ""));
+  nodes.forEach((node, i) => { if (node.data !== left[i]) node.data = left[i]; });
 }
 
 const heading = (e) => /^H\d$/.test(e.tagName);
@@ -80,10 +97,28 @@ function settle_figure(figure, section, sheet) {
   }
 }
 
+/// Puts text before the figures of a section that do not fit on their pages.  Returns the number of its pages.
+function settle_section(section, order, size, sheet) {
+  section.style.setProperty("--size", size);
+  section.append(...order);
+  for (const figure of section.querySelectorAll(":scope > figure.picture")) settle_figure(figure, section, sheet);
+  return Math.round(section.scrollWidth / sheet.width);
+}
+
+/// The largest size of its pictures that saves the last page of a section, or 1.
+function smaller(section, order, sheet) {
+  const pages = settle_section(section, order, 1, sheet);
+  const last = sheet.height - page_of(section.lastElementChild, section, sheet).free;
+  const pictures = [...section.querySelectorAll("figure.picture")].reduce((sum, e) => sum + e.offsetHeight, 0);
+  return SIZES.find((size) => (1 - size) * pictures > last && settle_section(section, order, size, sheet) < pages) ?? 1;
+}
+
 function floats(sheet) {
+  for (const e of document.querySelectorAll("pre, table")) if (e.offsetHeight < KEPT * sheet.height) e.classList.add("short");
   for (const section of document.querySelectorAll("section")) {
     section.style.cssText = `columns: ${sheet.width}px; column-fill: auto; column-gap: 0; width: ${sheet.width}px; height: ${sheet.height}px`;
-    for (const figure of section.querySelectorAll(":scope > figure.picture")) settle_figure(figure, section, sheet);
-    section.removeAttribute("style");
+    const order = [...section.childNodes], size = smaller(section, order, sheet);
+    settle_section(section, order, size, sheet);
+    section.style.cssText = `--size: ${size}`;
   }
 }

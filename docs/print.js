@@ -8,9 +8,9 @@
 // faceless(letters) returns those that no face of this machine has.
 // number(pages) writes {place: page} behind the entries of the contents and of the index.
 // misfits() lists what is not drawn, and what is wider than the paper.
+// told() says what must be found in the print: sections, headings with height and width in points, and formulas.
 "use strict";
-const LONG = 12;            // lines; a longer listing may be broken over two sheets, and a table of these rows
-const TALLEST = 400;        // pixels of a picture
+const TALLEST = 380;        // pixels of a picture
 let ready = false;
 
 function element(tag, attributes = {}, ...children) {
@@ -81,8 +81,6 @@ function text_of(page, { base, pictures }) {
     if (picture) image.replaceWith(drawing(picture, image.alt));
     else image.src = new URL(image.getAttribute("src"), base).href;
   }
-  for (const listing of text.querySelectorAll("pre")) if (listing.textContent.split("\n").length <= LONG) listing.classList.add("short");
-  for (const table of text.querySelectorAll("table")) if (table.rows.length <= LONG) table.classList.add("short");
   for (const e of text.querySelectorAll("[id]")) if (!e.closest("svg")) e.id = `${page.name}-${e.id}`;
   for (const link of text.querySelectorAll("a[href]")) {
     const [, name, place] = /^([^#:]*?)(?:\.html)?(?:#(.*))?$/.exec(link.getAttribute("href")) ?? [];
@@ -171,11 +169,16 @@ function join(book) {
       continue;
     }
     for (const folded of text.querySelectorAll("details")) folded.setAttribute("open", "");
-    const section = element("section", { id: page.name, "data-part": part });
-    if (page.name === "use") {    // its first section tells the two commands
+    if (page.name === "use") {    // its first section tells the two commands, its picture is on the title page
       const own = [...text.children], heading = own.filter((e) => e.matches("h2"))[1];
       if (heading) for (const e of own.slice(own.indexOf(heading))) e.remove();
+      text.querySelector("figure.picture")?.remove();
     }
+    if (page.name === "ways" && sections.length) {
+      sections.at(-1).append(element("h2", { id: page.name }, name), ...text.childNodes);
+      continue;
+    }
+    const section = element("section", { id: page.name, "data-part": part });
     section.append(element("h1", {}, page.name === "use" ? "The book" : name), ...text.childNodes);
     sections.push(section);
   }
@@ -236,4 +239,13 @@ function misfits() {
       if (e.getBoundingClientRect().right > right) wrong.push(`${section.id}: wider than the paper: ${e.tagName} ${said(e)}`);
   }
   return wrong;
+}
+
+function told() {
+  const points = (pixels) => pixels * 72 / 96;
+  return {
+    sections: [...document.querySelectorAll("section")].map((s) => s.id),
+    headings: [...document.querySelectorAll("h1, h2, h3, h4")].map((h) => [h.textContent.trim(), points(h.offsetHeight), points(h.offsetWidth)]),
+    formulas: [...document.querySelectorAll("math")].map((m) => m.textContent),
+  };
 }
