@@ -8,9 +8,9 @@
 // faceless(letters) returns those that no face of this machine has.
 // number(pages) writes {place: page} behind the entries of the contents and of the index.
 // misfits() lists what is not drawn, and what is wider than the paper.
+// told() says what must be found in the print: sections, headings with height and width in points, and formulas.
 "use strict";
-const LONG = 32;            // lines; a longer listing may be broken over two sheets, and a table of a third of these rows
-const TALLEST = 460;        // pixels of a picture
+const TALLEST = 380;        // pixels of a picture
 let ready = false;
 
 function element(tag, attributes = {}, ...children) {
@@ -70,17 +70,17 @@ function text_of(page, { base, pictures }) {
   const text = from.querySelector("main");
   if (!text) throw new Error(`${page.name}: no text in this page`);
   const lead = text.querySelector(".lead") ?? "";
-  const number = page.name.startsWith("exercise-") ? text.querySelector("header.title p")?.textContent + " " : "";
+  const above = text.querySelector("header.title p")?.textContent ?? "";
+  const number = page.name.startsWith("exercise-") ? above + " " : "", part = page.name.startsWith("chapter-") ? above : "";
   const title = number + (text.querySelector("header.title h1") ?? from.querySelector("title")).textContent.trim();
   for (const e of text.querySelectorAll("header.title, nav.turn, .self, .live, .live-printed > summary, script, p:empty")) e.remove();
   for (const e of text.querySelectorAll("[style]")) e.removeAttribute("style");
+  for (const e of text.querySelectorAll(".live-printed, .hoist")) e.replaceWith(...e.childNodes);
   for (const image of text.querySelectorAll("img")) {
     const picture = pictures[image.getAttribute("src")];
     if (picture) image.replaceWith(drawing(picture, image.alt));
     else image.src = new URL(image.getAttribute("src"), base).href;
   }
-  for (const listing of text.querySelectorAll("pre")) if (listing.textContent.split("\n").length <= LONG) listing.classList.add("short");
-  for (const table of text.querySelectorAll("table")) if (table.rows.length <= LONG / 3) table.classList.add("short");
   for (const e of text.querySelectorAll("[id]")) if (!e.closest("svg")) e.id = `${page.name}-${e.id}`;
   for (const link of text.querySelectorAll("a[href]")) {
     const [, name, place] = /^([^#:]*?)(?:\.html)?(?:#(.*))?$/.exec(link.getAttribute("href")) ?? [];
@@ -88,25 +88,63 @@ function text_of(page, { base, pictures }) {
     const to = name || page.name;
     link.setAttribute("href", place ? `${to}.html#${to}-${decodeURIComponent(place)}` : `${to}.html`);
   }
-  return { title, text, lead };
+  return { title, text, lead, part };
 }
 
 function title_page(cover, book) {
   return element("section", { id: "title" }, element("h1", {}, cover.title), element("div", { class: "brief" }, book.brief),
-      cover.text.querySelector("figure svg, figure img") ?? "", cover.lead, element("div", { class: "version" }, book.version));
+      element("div", { class: "authors" }, book.authors), cover.text.querySelector("figure svg, figure img") ?? "", cover.lead,
+      element("div", { class: "version" }, book.version), element("div", { class: "licence" }, book.licence));
 }
 
+/// An exercise in the section of its chapter: its command and its hints stand in the line of its kind and time.
+function exercise_of(page, { title, text }, hints) {
+  for (const command of text.querySelectorAll("figure.code")) {
+    if (!/^make ex[\d.]+\s/.test(command.textContent.trim())) continue;
+    if (/^Edit /.test(command.nextElementSibling?.textContent ?? "")) command.nextElementSibling.remove();    // chapter "ways" says it
+    command.remove();
+  }
+  const line = text.querySelector("p"), folded = [...text.querySelectorAll("details")];
+  line.append(" · ", element("code", {}, "make ex" + page.name.replace("exercise-", "").split("-").map(Number).join(".")));
+  if (folded.length) {
+    const place = "hints-" + page.name;
+    hints.append(element("h3", { id: place }, element("a", { href: page.name + ".html" }, title)));
+    for (const one of folded) {
+      const words = one.querySelector("summary").textContent;
+      one.querySelector("summary").remove();
+      hints.append(element("div", { class: "hint" }, element("b", {}, words), ...one.childNodes));
+      one.remove();
+    }
+    line.append(" · ", element("a", { href: "hints.html#" + place }, "hints"));
+  }
+  return [element("h3", { id: page.name }, title), ...text.childNodes];
+}
+
+/// The contents: parts, sections, and their headings but those that half of the chapters have.
 function contents_of(sections) {
-  const list = element("ol");
+  const list = element("ol"), often = new Map();
+  for (const heading of sections.flatMap((s) => [...s.querySelectorAll("h2")])) often.set(heading.textContent, (often.get(heading.textContent) ?? 0) + 1);
   const add = (heading, kind, place) => list.append(element("li", { class: "contents " + kind },
       element("a", { href: "#" + place }, heading.textContent.trim()), element("i"), element("span", { class: "page", "data-place": place })));
+  let part = "";
   for (const section of sections) {
-    add(section.querySelector("h1"), "part", section.id);
-    for (const heading of section.querySelectorAll("h2")) {
-      if (heading.id) add(heading, "within", heading.id);
-    }
+    if (section.dataset.part && section.dataset.part !== part) list.append(element("li", { class: "part" }, section.dataset.part));
+    part = section.dataset.part;
+    add(section.querySelector("h1"), "chapter", section.id);
+    for (const heading of section.querySelectorAll("h2"))
+      if (heading.id && often.get(heading.textContent) < sections.length / 2) add(heading, "within", heading.id);
   }
   return element("section", { id: "contents" }, element("h1", {}, "Contents"), list);
+}
+
+/// The page of a place in another chapter, behind the first link to it in a paragraph.
+function add_page(link, to, told) {
+  const block = link.closest("p, li, td, figcaption, h3"), target = document.getElementById(to);
+  if (!block || link.matches(".gloss") || target.closest("section") === link.closest("section") && link.textContent !== "hints") return;
+  if (!told.has(block)) told.set(block, new Set());
+  if (told.get(block).has(to)) return;
+  told.get(block).add(to);
+  link.after(element("span", { class: "at" }, "\u00a0p.\u2009", element("span", { class: "page", "data-place": to }, "000")));
 }
 
 function join(book) {
@@ -114,33 +152,33 @@ function join(book) {
   const sections = [];
   let title;
   for (const page of book.pages) {
-    const { title: name, text, lead } = text_of(page, book);
+    const { title: name, text, lead, part } = text_of(page, book);
     if (page.name === "index") {
       title = title_page({ title: name, text, lead }, book);
       continue;
     }
     if (page.name.startsWith("exercise-")) {
-      const folded = [...text.querySelectorAll("details")];
-      if (folded.length) {
-        const place = "hints-" + page.name;
-        hints.append(element("h3", { id: place }, element("a", { href: page.name + ".html" }, name)));
-        for (const one of folded) {
-          const words = one.querySelector("summary").textContent;
-          one.querySelector("summary").remove();
-          hints.append(element("div", { class: "hint" }, element("b", {}, words), ...one.childNodes));
-          one.remove();
-        }
-        text.append(element("p", {}, element("a", { href: "hints.html#" + place }, "Hints")));
+      let all = sections.at(-1).querySelector(".exercises");
+      if (!all) {
+        all = element("div", { class: "exercises" });
+        const list = sections.at(-1).lastElementChild;    // the list of those that follow
+        if (list?.matches("ul")) list.remove();
+        sections.at(-1).append(all);
       }
-      sections.at(-1).append(element("h3", { id: page.name }, name), ...text.childNodes);
+      all.append(...exercise_of(page, { title: name, text }, hints));
       continue;
     }
     for (const folded of text.querySelectorAll("details")) folded.setAttribute("open", "");
-    const section = element("section", { id: page.name });
-    if (page.name === "use") {    // its first section tells the two commands
+    if (page.name === "use") {    // its first section tells the two commands, its picture is on the title page
       const own = [...text.children], heading = own.filter((e) => e.matches("h2"))[1];
       if (heading) for (const e of own.slice(own.indexOf(heading))) e.remove();
+      text.querySelector("figure.picture")?.remove();
     }
+    if (page.name === "ways" && sections.length) {
+      sections.at(-1).append(element("h2", { id: page.name }, name), ...text.childNodes);
+      continue;
+    }
+    const section = element("section", { id: page.name, "data-part": part });
     section.append(element("h1", {}, page.name === "use" ? "The book" : name), ...text.childNodes);
     sections.push(section);
   }
@@ -152,7 +190,7 @@ function join(book) {
   const pages = new Set([...sections.map((s) => s.id), ...book.pages.map((p) => p.name).filter((n) => n !== "index")]);
   const places = new Map();
   for (const e of document.querySelectorAll("[id]")) places.set(e.id, (places.get(e.id) ?? 0) + 1);
-  const wrong = new Set();
+  const wrong = new Set(), told = new Map();
   for (const link of document.querySelectorAll("section a[href]")) {
     const [, page, place] = /^([^#:]*?)(?:\.html)?(?:#(.*))?$/.exec(link.getAttribute("href")) ?? [];
     if (page === undefined) continue;    // to another site
@@ -160,8 +198,9 @@ function join(book) {
     const to = place ?? page;
     link.setAttribute("href", "#" + to);
     if (page === "use" && !places.has(to)) { link.replaceWith(...link.childNodes); continue; }    // of the part left out
-    if (link.closest("#words td")) link.after(" ", element("span", { class: "page", "data-place": to }));
     if (places.get(to) !== 1) wrong.add(`${link.textContent}: the place #${to} exists ${places.get(to) ?? 0} times`);
+    else if (link.closest("#words td")) link.after(" ", element("span", { class: "page", "data-place": to }));
+    else if (!link.closest("#contents")) add_page(link, to, told);
   }
   return [...wrong];
 }
@@ -200,4 +239,13 @@ function misfits() {
       if (e.getBoundingClientRect().right > right) wrong.push(`${section.id}: wider than the paper: ${e.tagName} ${said(e)}`);
   }
   return wrong;
+}
+
+function told() {
+  const points = (pixels) => pixels * 72 / 96;
+  return {
+    sections: [...document.querySelectorAll("section")].map((s) => s.id),
+    headings: [...document.querySelectorAll("h1, h2, h3, h4")].map((h) => [h.textContent.trim(), points(h.offsetHeight), points(h.offsetWidth)]),
+    formulas: [...document.querySelectorAll("math")].map((m) => m.textContent),
+  };
 }

@@ -4,7 +4,9 @@
 Prints the web pages in BOOK (default build/book) as one book, FILE (default build/signorini.pdf): title, contents with
 page numbers, the chapters with their exercises, notation, lists, references and hints.  Formulas are text, figures are vectors.
 Ends with status 1, and without a file, if a link of the book leads nowhere, or a formula, a listing, a table or a figure
-would be missing or cut, or no face of this machine has a letter of the book.  Needs python3 and chromium.
+would be missing or cut or a bitmap, a sign of a formula cannot be searched, a page that is not the last of a chapter is white by
+more than a third, a heading stands at its foot, or no face of this machine has a letter of the book.  The pages are named, and
+lie in FILE.wrong.  Needs python3, chromium, poppler-utils and hyphen-en-gb.
 With --ready it prints nothing: its status says whether browser and faces are there, its words what is missing.
 
 A browser prints, and not TeX, because the pages are at home in it: the formulas, code and figures of the book are those of
@@ -22,18 +24,22 @@ import time
 
 sys.dont_write_bytecode = True    # no __pycache__ beside the tools
 from browser import Browser, chromium
+from printed import Pdf, ill_set, missing, sheets, unsearched
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 BEFORE, AFTER = ["index", "use", "ways"], ["notation", "glossary", "equations", "words", "references"]
+MARGINS = (18, 19, 16, 19)    # of A4 in mm: top, right, bottom, left
+SHEET = {"width": (210 - MARGINS[1] - MARGINS[3]) * 96 / 25.4, "height": (297 - MARGINS[0] - MARGINS[2]) * 96 / 25.4, "line": 3 * 14 * 96 / 72}
+HYPHENS = "/usr/share/hyphen/hyph_en_GB.dic"
 PASSES = 5       # until every number is that of its page
 SECONDS = 900    # for an answer of the browser, on a busy machine
 
 PAGE = """<!DOCTYPE html><html lang="en" class="light"><head><meta charset="utf-8"/><title>Signorini</title>
 <link rel="stylesheet" href="@BOOK@/page.css"/><link rel="stylesheet" href="@BOOK@/formula.css"/>
 <link rel="stylesheet" href="@DOCS@/print.css"/>
-<style>@page { size: A4; margin: 22mm 20mm 20mm; @bottom-center { content: counter(page); font: 9pt Pagella, serif; } }
+<style>@page { size: A4; margin: @MARGIN@; @bottom-center { content: counter(page); font: 9pt Pagella, serif; } }
 @page :first { @bottom-center { content: none; } }</style>
-<script src="@DOCS@/print.js"></script></head><body></body></html>
+<script src="@DOCS@/print.js"></script><script src="@DOCS@/flow.js"></script></head><body></body></html>
 """
 
 
@@ -59,10 +65,12 @@ def letters():
     return "".join(sorted(set("".join(map(read, texts)))))
 
 
-def without_faces(printer):
-    """What is wrong with the faces of this machine."""
-    missing = printer.ask("faceless(%s)" % json.dumps(letters()))
-    return ["no face has these letters: %s: tools/setup.sh print" % missing] if missing else []
+def wanting(printer):
+    """What this machine does not have."""
+    faceless = printer.ask("faceless(%s)" % json.dumps(letters()))
+    wrong = ["no face has these letters: " + faceless] if faceless else []
+    wrong += ["no " + name for name in missing() + [HYPHENS] * (not os.path.exists(HYPHENS))]
+    return [words + ": tools/setup.sh print" for words in wrong]
 
 
 class Printer:
@@ -96,62 +104,33 @@ class Printer:
             generateTaggedPDF=True)["data"])
 
 
-class Pdf:
-    """What a reader of the file needs to know: the number of pages, and the page of every place that is linked to."""
-
-    def __init__(self, data):
-        self.objects = {int(n): body for n, body in re.findall(rb"(?s)(?:^|\n)(\d+) 0 obj\n(.*?)\nendobj", data)}
-        catalog = next(body for body in self.objects.values() if b"/Type /Catalog" in body)
-        self.pages = {number: i + 1 for i, number in enumerate(self.kids(self.reference(catalog, b"Pages")))}
-        places = self.objects.get(self.reference(catalog, b"Dests") or -1, b"")
-        self.places = {name.decode(): self.pages[int(page)] for name, page in re.findall(rb"/([\w.-]+) \[(\d+) 0 R", places)}
-        self.outline = b"/Outlines" in catalog
-        bitmaps = {n for n, body in self.objects.items() if b"/Subtype /Image" in body}
-        self.bitmaps = {self.pages[n]: len(there) for n in self.pages if (there := bitmaps & self.drawn(n))}
-
-    @staticmethod
-    def reference(body, key):
-        match = re.search(rb"/%s (\d+) 0 R" % key, body)
-        return int(match[1]) if match else None
-
-    def drawn(self, page):
-        """The objects that a page draws."""
-        drawn, new = set(), {page}
-        while new:
-            drawn |= new
-            parts = [re.search(rb"(?s)/XObject <<(.*?)>>", self.objects[n]) for n in new]
-            new = {int(n) for part in parts if part for n in re.findall(rb"(\d+) 0 R", part[1])} - drawn
-        return drawn
-
-    def kids(self, number):
-        body = self.objects[number]
-        if b"/Type /Pages" not in body:
-            return [number]
-        inside = re.search(rb"(?s)/Kids \[(.*?)\]", body)[1]
-        return [page for kid in re.findall(rb"(\d+) 0 R", inside) for page in self.kids(int(kid))]
-
-
 def contents(folder):
     """What print.js joins."""
-    version = re.search(r"project\(signorini\s+VERSION\s+([\d.]+)", read(os.path.join(ROOT, "CMakeLists.txt")))
     brief = re.search(r'PROJECT_BRIEF\s*=\s*"(.*?)[:"]', read(os.path.join(ROOT, "docs/Doxyfile.in")))
-    book = {"base": "file://" + folder + "/", "brief": brief[1], "version": "Version " + version[1] if version else "",
+    cited, licence = read(os.path.join(ROOT, "CITATION.cff")), read(os.path.join(ROOT, "LICENSE"))
+    authors, = re.findall(r'(?ms)^authors:\n  - name: "(.*?)"$', cited)
+    version, = re.findall(r"(?m)^version: (.*)$", cited)
+    right, = re.findall(r"(?m)^Copyright \(c\) (.*)$", licence)
+    book = {"base": "file://" + folder + "/", "brief": brief[1], "authors": authors, "version": "Version " + version,
+            "licence": "© %s. %s: free to use, copy, change and share, with this notice." % (right, licence.split("\n")[0]),
             "pages": [{"name": name, "html": read(os.path.join(folder, name + ".html"))} for name in names(folder)]}
     drawn = {src for page in book["pages"] for src in re.findall(r'<img src="([^":]+\.svg)"', page["html"])}
     book["pictures"] = {src: read(os.path.join(folder, src)) for src in drawn if os.path.exists(os.path.join(folder, src))}
     return book
 
 
-def printed(printer, book):
-    """The file, the number of its pages, of its formulas and of the places that are linked to, and what is wrong."""
-    wrong = without_faces(printer)
-    if wrong:    # without any a browser may wait for ever
-        return b"", "", wrong
+def printed(printer, book, target):
+    """Writes the file.  Returns words on what is in it, and what is wrong."""
+    wrong = wanting(printer)
+    if wrong:    # without any face a browser may wait for ever
+        return "", wrong
     wrong = printer.ask("join(%s)" % json.dumps(book))
     printer.ask("settle()")
     printer.wait("ready")
+    printer.ask("hyphenate(%s)" % json.dumps(read(HYPHENS)))
+    printer.ask("floats(%s)" % json.dumps(SHEET))
     wrong += printer.ask("misfits()")
-    first, data = {}, b""
+    first = {}
     for _ in range(PASSES):    # numbers may move what they number
         data = printer.pdf()
         last = Pdf(data)
@@ -159,13 +138,15 @@ def printed(printer, book):
             break
         first = last.places
         printer.ask("number(%s)" % json.dumps(first))
-    formulas = printer.ask("document.querySelectorAll('math').length")
+    with open(target, "wb") as file:
+        file.write(data)
     asked = printer.ask("[...document.querySelectorAll('.page')].map(e => e.dataset.place)")
     wrong += ["its number moves " + place for place in asked if last.places.get(place) != first.get(place)]
     wrong += ["no page for " + place for place in asked if place not in last.places]
-    wrong += ["no outline"] * (not last.outline)
     wrong += ["page %d: bitmaps, %d of them" % item for item in last.bitmaps.items()]
-    return data, "%d pages, %d formulas, %d places, %.1f MB" % (len(last.pages), formulas, len(last.places), len(data) / 1e6), wrong
+    told = printer.ask("told()")
+    wrong += ill_set(last, sheets(target, MARGINS), told) + unsearched(target, told["formulas"])
+    return "%d pages, %d formulas, %d places, %.1f MB" % (len(last.pages), len(told["formulas"]), len(last.places), len(data) / 1e6), wrong
 
 
 def work(folder, ask):
@@ -175,7 +156,7 @@ def work(folder, ask):
         sys.exit("book-pdf.py: no chromium found, run: tools/setup.sh print")
     browser = Browser(program, SECONDS)
     with tempfile.NamedTemporaryFile("w", suffix=".html") as sheet:
-        sheet.write(PAGE.replace("@DOCS@", os.path.join(ROOT, "docs")).replace("@BOOK@", folder))
+        sheet.write(PAGE.replace("@DOCS@", os.path.join(ROOT, "docs")).replace("@BOOK@", folder).replace("@MARGIN@", " ".join("%dmm" % m for m in MARGINS)))
         sheet.flush()
         try:
             return ask(Printer(browser, "file://" + sheet.name))
@@ -187,18 +168,18 @@ def work(folder, ask):
 
 def main():
     if sys.argv[1:] == ["--ready"]:
-        sys.exit("\n".join(work(os.path.join(ROOT, "docs"), without_faces)) or 0)
+        sys.exit("\n".join(work(os.path.join(ROOT, "docs"), wanting)) or 0)
     folder = os.path.abspath(sys.argv[1] if len(sys.argv) > 1 else "build/book")
     target = os.path.abspath(sys.argv[2] if len(sys.argv) > 2 else "build/signorini.pdf")
     if not os.path.exists(os.path.join(folder, "index.html")):
         sys.exit("book-pdf.py: no pages in %s, run: make book" % folder)
     if os.path.exists(target):
         os.remove(target)
-    data, said, wrong = work(folder, lambda printer: printed(printer, contents(folder)))
+    said, wrong = work(folder, lambda printer: printed(printer, contents(folder), target))
     if wrong:
+        if os.path.exists(target):
+            os.replace(target, target + ".wrong")
         sys.exit("\n".join(wrong + ["book-pdf.py: %d problems" % len(wrong)]))
-    with open(target, "wb") as file:
-        file.write(data)
     print("%s: %s" % (target, said))
 
 

@@ -4,7 +4,7 @@
 #   book    the web pages: Python, and Doxygen for the reference of src/
 #   check   a browser that opens every page
 #   live    a compiler for browsers, for make engine
-#   print   the same browser and the letters of figures and Chinese words, for make book-pdf
+#   print   the same browser, the letters of figures and Chinese words, where words break, and what looks at pages, for make book-pdf
 #   strict  the second compiler of the stricter presets
 #   peers   other people's programs and libraries, for make peers and make bench
 #   parallel  other factors: CHOLMOD, and MUMPS with MPI
@@ -13,7 +13,7 @@ set -eu
 build="g++ make cmake catch2 libeigen3-dev libcli11-dev libtomlplusplus-dev gnuplot-nox perl"
 book="doxygen python3"
 check="chromium python3 fonts-dejavu-core"
-print="$check fonts-wqy-microhei"
+print="$check fonts-wqy-microhei hyphen-en-gb poppler-utils"
 live="emscripten"
 strict="clang"
 peers="calculix-ccx python3-getfem r-cran-quadprog libsiconos-numerics-dev libsuitesparse-dev libmumps-seq-dev libopenblas-dev python3-cvxopt"
@@ -45,6 +45,7 @@ installed() { # a program may have come another way than by its package
     gnuplot-nox) command -v gnuplot ;;
     perl) perl -MJSON::PP -MFile::Copy -e 1 ;;  # every system has a part of it
     clang) command -v clang++ ;;
+    poppler-utils) command -v pdftoppm && command -v pdftotext ;;
     emscripten) command -v em++ ;;
     *) false ;;
     esac > /dev/null 2>&1 || dpkg-query -W -f '${Status}\n' "$1" 2> /dev/null | grep -q "ok installed"
