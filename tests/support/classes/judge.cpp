@@ -143,10 +143,9 @@ std::string complaints(const Solver& solver) {
       if (!takes_part(solver, instance)) continue;
       const std::string wrong = complaint(solver, group.traits, instance);
       if (wrong.empty()) continue;
-      of_class.push_back({wrong.find("ends with '") != std::string::npos,
-                          instance.problem.free_gap.size(),
-                          text(solver.name, ", class '", group.name, "', ", instance.name, ": ",
-                               wrong, '\n')});
+      of_class.push_back(
+          {wrong.find("ends with '") != std::string::npos, instance.problem.free_gap.size(),
+           text(solver.name, ", class '", group.name, "', ", instance.name, ": ", wrong, '\n')});
     }
     all += of_class.size();
     if (!of_class.empty()) worst.push_back(*std::min_element(of_class.begin(), of_class.end()));
