@@ -32,6 +32,19 @@ function(signorini_exercise_program target)  # the parts in ARGN, linked
   target_link_libraries(${target} PRIVATE signorini::signorini Catch2::Catch2WithMain)
 endfunction()
 
+# What is linked without CMake: behind an answer, by tools/grade.pl and tests/exercises/submissions.pl.
+list(TRANSFORM signorini_folders PREPEND signorini_ OUTPUT_VARIABLE exercise_libraries)
+list(APPEND exercise_libraries Catch2::Catch2WithMain)
+if(Catch2_VERSION VERSION_GREATER_EQUAL 3)
+  list(APPEND exercise_libraries Catch2::Catch2)
+endif()
+function(signorini_linked out)  # targets in ARGN, as words for the linker
+  list(TRANSFORM ARGN REPLACE "(.+)" "$<TARGET_FILE:\\1>" OUTPUT_VARIABLE files)
+  list(JOIN signorini_registered " " registered)
+  list(JOIN files " " files)
+  set(${out} "${registered} -Wl,--start-group ${files} -Wl,--end-group" PARENT_SCOPE)
+endfunction()
+
 function(signorini_exercise dir)
   if(NOT dir MATCHES "/ch([0-9]+)_[^/]*/exercises/ex([0-9]+)_[^/]*$")
     message(FATAL_ERROR "${dir}: an exercise lies in chapters/chNN_topic/exercises/exK_topic")
@@ -70,11 +83,7 @@ function(signorini_exercise dir)
     set(exercises_proven ${exercises_proven} ${dir} PARENT_SCOPE)
   endif()
 
-  list(TRANSFORM signorini_folders PREPEND signorini_ OUTPUT_VARIABLE libraries)
-  list(APPEND libraries Catch2::Catch2WithMain)
-  if(Catch2_VERSION VERSION_GREATER_EQUAL 3)
-    list(APPEND libraries Catch2::Catch2)
-  endif()
+  set(libraries ${exercise_libraries})
   file(STRINGS ${dir}/test.cpp asks REGEX "support/problem_classes\\.hpp")
   foreach(program ${ex}.answer ${ex}.answer-heldout ${ex}.solution ${ex}.solution-heldout)
     if(asks AND TARGET ${program})
@@ -85,8 +94,7 @@ function(signorini_exercise dir)
     list(PREPEND libraries problem_classes test_problems)
   endif()
   if(TARGET ${ex}.solution)  # what tools/grade.pl puts around an answer
-    list(TRANSFORM libraries REPLACE "(.+)" "$<TARGET_FILE:\\1>")
-    string(REPLACE ";" " " libraries "-Wl,--start-group;${libraries};-Wl,--end-group")
+    signorini_linked(libraries ${libraries})
     file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/grade/parts/${ex} CONTENT
 "folder ${dir}
 link ${CMAKE_CXX_COMPILER} ${CMAKE_CXX_FLAGS} ${CMAKE_EXE_LINKER_FLAGS}
@@ -132,4 +140,8 @@ if(exercises_proven)
     target_link_libraries(${program} PRIVATE problem_classes)
     add_dependencies(exercises ${program})
   endforeach()
+  signorini_linked(libraries problem_classes test_problems ${exercise_libraries})
+  set(objects $<TARGET_OBJECTS:exercise_judge> $<TARGET_OBJECTS:all_exercise_tests> $<TARGET_OBJECTS:exercise_solutions>)
+  file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/submissions CONTENT
+       "${CMAKE_CXX_COMPILER} ${CMAKE_CXX_FLAGS} ${CMAKE_EXE_LINKER_FLAGS} $<JOIN:${objects}, > ${libraries}")
 endif()

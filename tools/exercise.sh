@@ -33,7 +33,8 @@ check)
         END { exit bad }' || not_yet "$folder/attempt.cpp" "does not compile"
     heldout=$3/bin/$exercise.answer-heldout
     [ -f "$folder/test_heldout.cpp" ] || heldout=""
-    exec perl tools/judge.pl "$exercise" "$folder/attempt.cpp" "$3/bin/$exercise.answer" $heldout
+    perl tools/judge.pl "$exercise" "$folder/attempt.cpp" "$3/bin/$exercise.answer" $heldout || exit
+    exec perl tools/borrowed.pl "$exercise" "$folder/attempt.cpp" "$3"
     ;;
 *)
     sed -n '2,3s/^# *//p' "$0" >&2

@@ -6,6 +6,7 @@
 #
 # Each answer is compiled alone, in a folder of its own, and linked with the tests and the library as they are; its programs run
 # enclosed, tests/tools/judged.cpp, and are judged by what they tell by a secret, tools/judge.pl, beside the reference solution.
+# What passes has to be its author's own, tools/borrowed.pl.
 # A program may take N seconds of processor time, ten if it is not said, or twenty times those of the reference solution.
 use strict;
 use warnings;
@@ -19,7 +20,7 @@ use POSIX ();
 use Text::ParseWords qw(shellwords);
 
 my $root = abs_path(dirname(__FILE__) . '/..');
-require "$root/tools/judge.pl";
+require "$root/tools/$_.pl" for qw(judge borrowed);
 
 my @columns = qw(student exercise file status public public_of heldout heldout_of seconds message);
 my $largest = 1 << 20;      # bytes of an answer
@@ -76,15 +77,8 @@ sub parts_of {
         my ($key, @words) = shellwords($_);
         $parts{$key} = \@words;
     }
-    my @words = shellwords($commands->{"$parts{folder}[0]/attempt.cpp"} // refuse("$build does not say how to compile $exercise"));
-    shift @words while @words && $words[0] ne $parts{link}[0];    # a compiler cache
-    my @kept;
-    while (@words) {
-        my $word = shift @words;
-        if ($word eq '-o' || $word eq '-c') { shift @words }
-        else                                { push @kept, $word }
-    }
-    $parts{compile} = \@kept;
+    my $command = $commands->{"$parts{folder}[0]/attempt.cpp"} // refuse("$build does not say how to compile $exercise");
+    $parts{compile} = [compile_words($command)];
     return \%parts;
 }
 
@@ -114,6 +108,14 @@ sub suspicion {
         return $what->('defines') if $type =~ /[TDBR]/ && $name =~ /^_Z(?:N?K?S|n[wa]|d[la]|N9__gnu_cxx|N10__cxxabiv1)/;
     }
     return;
+}
+
+# What an answer that passes tests has from the book, tools/borrowed.pl.
+sub own_work {
+    my ($row, $folder, $parts) = @_;
+    my $compiled = tool($folder, 'plain', @{ $parts->{compile} }, qw(-O0 -w -MD -MF plain.d -o plain.o -c attempt.cpp));
+    return $compiled ? borrowed($row->{exercise}, $parts->{folder}[0], map { "$folder/$_" } qw(attempt.cpp plain.o plain.d))
+        : 'does not compile without optimisation';
 }
 
 # Runs a tool on an answer, limited; says whether it succeeded.
@@ -154,8 +156,11 @@ sub grade {
         $row->{ $which eq 'tests' ? 'public' : 'heldout' } = $result->{passed};
         next if $result->{status} eq 'passed';
         return $is->(@$result{qw(status message)}) if $which eq 'tests' || $result->{status} =~ /^(?:fake|forbidden)$/;
-        return $is->('public only', join ': ', grep { $_ ne 'failed' } @$result{qw(status message)});
+        $is->('public only', join ': ', grep { $_ ne 'failed' } @$result{qw(status message)});
+        last;
     }
+    if (my $reason = own_work($row, $folder, $parts)) { return $is->('borrowed', $reason) }
+    return if $row->{status};
     return $is->('passed', '');
 }
 

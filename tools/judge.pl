@@ -129,11 +129,26 @@ sub run_tests {
     return $judged->('passed', '');
 }
 
+# What Catch2 says of the test case that fails first, without its rulers: at most three checks.  Then the names of the others.
+sub first_failure {
+    my ($is) = @_;
+    my ($before, @parts) = split /^-{79}\n/m, $is->{said};
+    while (my ($name, $body) = splice @parts, 0, 2) {
+        my @checks = ($body // '') =~ /^(\S+:\d+: FAILED:\n.*?)\n(?:\n|\z)/gms or next;
+        my $more = @checks - 3;
+        my @others = grep { $is->{tests}{$_}[1] && "$_\n" ne $name } @{ $is->{names} };
+        s{^\S*/}{} for @checks;
+        return join '', $before, $name, map({ "$_\n" } @checks[0 .. ($more > 0 ? 2 : $#checks)]), $more > 0 ? "and $more more checks of this test\n" : (),
+            map { "fails too: $_\n" } @others;
+    }
+    return;
+}
+
 sub show {    # what a program printed, without the greeting of Catch2, and what it did not say itself
     my ($is) = @_;
-    my $said = $is->{said};
-    $said =~ s/^~~~~.*?^Run with -\?[^\n]*\n//ms;
-    $said =~ s/\A\n+//;
+    $is->{said} =~ s/^~~~~.*?^Run with -\?[^\n]*\n//ms;
+    $is->{said} =~ s/\A\n+//;
+    my $said = first_failure($is) // $is->{said};
     print $said;
     print "\n" if length $said && $said !~ /\n\z/;
     print "$is->{status}: $is->{message}\n" if $is->{status} !~ /^(?:passed|failed)$/;

@@ -59,9 +59,13 @@ bool takes_part(const signorini::Solver& solver, const Instance& instance);
 std::string complaint(const signorini::Solver& solver, const std::vector<signorini::Trait>& traits,
                       const Instance& instance);
 
-/// All complaints about one solver, for those who write one: empty if it conforms.
+/// As many complaints are shown at once.
+inline constexpr std::size_t most_complaints = 4;
+
+/// What is wrong with one solver, for those who write one: empty if it conforms.
 /// \param solver  its table line
-/// \return one line per complaint, each with solver, class and instance
+/// \return the worst complaint of each class, a line with solver, class and instance: wrong answers before honest ends, small problems
+///   before large ones; at most so many lines as above, and one that counts the rest
 std::string complaints(const signorini::Solver& solver);
 
 // Makers of instances.

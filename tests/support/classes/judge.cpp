@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <functional>
 #include <stdexcept>
+#include <tuple>
 
 #include "addons/certified/dense_programme.hpp"
 #include "addons/certified/solve_with_proofs.hpp"
@@ -126,15 +127,36 @@ std::string complaint(const Solver& solver, const std::vector<Trait>& traits,
 }
 
 std::string complaints(const Solver& solver) {
-  std::string all;
-  for (const ProblemClass& group : problem_classes())
+  struct Complaint {
+    bool honest;  // says that it has no solution
+    Index pairs;
+    std::string line;
+    bool operator<(const Complaint& other) const {
+      return std::tie(honest, pairs) < std::tie(other.honest, other.pairs);
+    }
+  };
+  std::vector<Complaint> worst;  // one of each class
+  std::size_t all = 0;
+  for (const ProblemClass& group : problem_classes()) {
+    std::vector<Complaint> of_class;
     for (const Instance& instance : group.instances()) {
       if (!takes_part(solver, instance)) continue;
       const std::string wrong = complaint(solver, group.traits, instance);
-      if (!wrong.empty())
-        all += text(solver.name, ", class '", group.name, "', ", instance.name, ": ", wrong, '\n');
+      if (wrong.empty()) continue;
+      of_class.push_back(
+          {wrong.find("ends with '") != std::string::npos, instance.problem.free_gap.size(),
+           text(solver.name, ", class '", group.name, "', ", instance.name, ": ", wrong, '\n')});
     }
-  return all;
+    all += of_class.size();
+    if (!of_class.empty()) worst.push_back(*std::min_element(of_class.begin(), of_class.end()));
+  }
+  std::stable_sort(worst.begin(), worst.end());
+  const std::size_t shown = std::min(worst.size(), most_complaints);
+  std::string lines;
+  for (std::size_t k = 0; k < shown; ++k) lines += worst[k].line;
+  if (all > shown)
+    lines += text("and ", all - shown, " more, in ", worst.size(), " classes in all\n");
+  return lines;
 }
 
 }  // namespace signorini_test

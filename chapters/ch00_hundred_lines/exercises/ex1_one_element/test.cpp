@@ -1,5 +1,6 @@
 #include "catch_compat.hpp"
 #include "exercise.hpp"
+#include "support/equal_within.hpp"
 
 using Corners = Eigen::Matrix<double, 3, 2>;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
@@ -12,15 +13,15 @@ TEST_CASE("ex0.1 the triangle of paper and pencil", "[ex0.1]") {
   const Matrix6d K = ex0_1::triangle_stiffness(unit(), simple(), 1);
   Eigen::Matrix<double, 1, 6> first;
   first << 3, 1, -2, -1, -1, 0;
-  CHECK((4 * K.row(0) - first).norm() < 1e-14);
-  CHECK((K - K.transpose()).norm() < 1e-14);
+  CHECK(equal_within(4 * K.row(0), first, 1e-14));
+  CHECK(equal_within(K, K.transpose(), 1e-14));
 }
 
 TEST_CASE("ex0.1 twice as thick is twice as stiff, twice as large is as stiff", "[ex0.1]") {
   const Matrix6d K = ex0_1::triangle_stiffness(unit(), simple(), 1);
   CHECK(K.norm() > 1);
-  CHECK((ex0_1::triangle_stiffness(unit(), simple(), 2) - 2 * K).norm() < 1e-14);
-  CHECK((ex0_1::triangle_stiffness(2 * unit(), simple(), 1) - K).norm() < 1e-14);
+  CHECK(equal_within(ex0_1::triangle_stiffness(unit(), simple(), 2), 2 * K, 1e-14));
+  CHECK(equal_within(ex0_1::triangle_stiffness(2 * unit(), simple(), 1), K, 1e-14));
 }
 
 TEST_CASE("ex0.1 translations and a turn need no force", "[ex0.1]") {
@@ -31,4 +32,10 @@ TEST_CASE("ex0.1 translations and a turn need no force", "[ex0.1]") {
   for (Eigen::Index k = 0; k < 3; ++k)
     rigid.middleRows<2>(2 * k) << 1, 0, -corners(k, 1), 0, 1, corners(k, 0);
   CHECK((K * rigid).norm() < 1e-13);
+}
+
+TEST_CASE("ex0.1 it does not matter where the triangle stands", "[ex0.1]") {
+  const Corners moved = unit().rowwise() + Eigen::RowVector2d(3, 5);
+  CHECK(equal_within(ex0_1::triangle_stiffness(moved, simple(), 1),
+                     ex0_1::triangle_stiffness(unit(), simple(), 1), 1e-14));
 }

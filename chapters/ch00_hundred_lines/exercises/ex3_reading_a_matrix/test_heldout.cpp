@@ -15,7 +15,7 @@ TEST_CASE("ex0.3 held out: two bodies in one matrix, and a node that belongs to 
   const ch00::SparseMatrix K = ch00::assemble(mesh, ch00::plane_stress(7, 0.3));
   CHECK(ex0_3::read_matrix(K, 0).pieces == 3);
   CHECK(ex0_3::read_matrix(K, 0).partners == Nodes{1, 4, 5});
-  CHECK(ex0_3::read_matrix(K, 8).partners.empty());
+  CHECK(ex0_3::read_matrix(K, 8).partners == decltype(ex0_3::read_matrix(K, 8).partners){});
 }
 
 TEST_CASE("ex0.3 held out: entries that are stored and zero join nothing", "[ex0.3]") {

@@ -1,5 +1,6 @@
 #include "catch_compat.hpp"
 #include "exercise.hpp"
+#include "support/equal_within.hpp"
 
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
@@ -10,7 +11,7 @@ TEST_CASE("ex2.1 the pair that is left out overlaps and asks for weight", "[ex2.
   const Matrix2d G = Vector2d(1, 2).asDiagonal();
   const VectorXd slope = ex2_1::gradient(G, Vector2d(-3, -2), Vector2d(1, 0));
   REQUIRE(slope.size() == 2);
-  CHECK((slope - Vector2d(0, 6)).norm() < 1e-14);
+  CHECK(equal_within(slope, Vector2d(0, 6), 1e-14));
 }
 
 // eta = 2.5 / 0.75 = 10/3; the gaps left are -3 + 5/3 and -2 + 10/3.
@@ -18,7 +19,7 @@ TEST_CASE("ex2.1 in the middle weight moves from the open to the overlapping pai
   const Matrix2d G = Vector2d(1, 2).asDiagonal();
   const VectorXd slope = ex2_1::gradient(G, Vector2d(-3, -2), Vector2d(0.5, 0.5));
   REQUIRE(slope.size() == 2);
-  CHECK((slope - Vector2d(40, -40) / 9).norm() < 1e-14);
+  CHECK(equal_within(slope, Vector2d(40, -40) / 9, 1e-14));
 }
 
 // Weights in proportion to the forces (3, 1): the top of the hill.

@@ -2,6 +2,7 @@
 
 #include "catch_compat.hpp"
 #include "exercise.hpp"
+#include "support/equal_within.hpp"
 
 using Eigen::Matrix3d;
 using Eigen::Vector2d;
@@ -18,22 +19,22 @@ TEST_CASE("ex2.4 one group is one weighted gap", "[ex2.4]") {
   REQUIRE(traded.total.size() == 1);
   CHECK(traded.total(0) == Approx(9.0 / 7).epsilon(1e-14));
   CHECK(traded.energy == Approx(9.0 / 7).epsilon(1e-14));
-  CHECK((traded.force - Vector3d::Constant(3.0 / 7)).norm() < 1e-14);
+  CHECK(equal_within(traded.force, Vector3d::Constant(3.0 / 7), 1e-14));
 }
 
 TEST_CASE("ex2.4 two groups, of which one does not press", "[ex2.4]") {
   const Traded traded = trade_groups(carts(), Vector3d(1, 1, 1), {0, 1, 0});
   REQUIRE(traded.total.size() == 2);
-  CHECK((traded.total - Vector2d(5.0 / 3, 0)).norm() < 1e-14);
-  CHECK((traded.force - Vector3d(5.0 / 6, 0, 5.0 / 6)).norm() < 1e-14);
+  CHECK(equal_within(traded.total, Vector2d(5.0 / 3, 0), 1e-14));
+  CHECK(equal_within(traded.force, Vector3d(5.0 / 6, 0, 5.0 / 6), 1e-14));
   CHECK(traded.energy == Approx(25.0 / 12).epsilon(1e-14));
 }
 
 TEST_CASE("ex2.4 a group for each pair is the contact problem", "[ex2.4]") {
   const Traded traded = trade_groups(carts(), Vector3d(2, 3, 4), {2, 0, 1});
   REQUIRE(traded.total.size() == 3);
-  CHECK((traded.force - Vector3d(1.5, 0, 0.5)).norm() < 1e-13);
-  CHECK((traded.total - Vector3d(0, 0.5, 1.5)).norm() < 1e-13);
+  CHECK(equal_within(traded.force, Vector3d(1.5, 0, 0.5), 1e-13));
+  CHECK(equal_within(traded.total, Vector3d(0, 0.5, 1.5), 1e-13));
   CHECK(traded.energy == Approx(2.25).epsilon(1e-14));
 }
 

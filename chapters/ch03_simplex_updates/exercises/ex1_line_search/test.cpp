@@ -26,3 +26,8 @@ TEST_CASE("ex3.1 no rise, no step", "[ex3.1]") {
 TEST_CASE("ex3.1 what rises all the way goes all the way", "[ex3.1]") {
   CHECK(ex3_1::best_step({1, 2, 1, 0, 0}, 0.7) == 0.7);
 }
+
+// The same two pairs from (1, 0) along (-1, 1), which feel each other: c1 = -1. Again to (3/4, 1/4).
+TEST_CASE("ex3.1 weights and direction feel each other", "[ex3.1]") {
+  CHECK(ex3_1::best_step({7, -2, 2, -1, 2}, 1) == Approx(0.25).epsilon(1e-14));
+}

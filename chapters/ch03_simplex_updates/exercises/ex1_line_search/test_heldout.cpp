@@ -30,7 +30,8 @@ TEST_CASE("ex3.1 held out: no other step gains more", "[ex3.1]") {
     const double largest = random.uniform(0.1, 3);
     const double t = ex3_1::best_step(line, largest);
     CAPTURE(sample, t, largest);
-    REQUIRE((t >= 0 && t <= largest));
+    REQUIRE(t >= 0);
+    REQUIRE(t <= largest);
     inside += t > 0 && t < largest ? 1 : 0;
     double best = 0;
     for (int k = 0; k <= 500; ++k) best = std::max(best, s(line, largest * k / 500));

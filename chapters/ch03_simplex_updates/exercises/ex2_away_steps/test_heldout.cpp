@@ -4,6 +4,7 @@
 #include "papers/surrogate_dual.hpp"
 #include "signorini/core/random.hpp"
 #include "signorini/solvers/enumerate.hpp"
+#include "support/equal_within.hpp"
 
 using Eigen::Index;
 using Eigen::MatrixXd;
@@ -23,14 +24,15 @@ TEST_CASE("ex3.2 held out: the iteration finds the forces of random problems", "
   double s = signorini::surrogate_dual_value(problem, weights);
   for (int k = 0; k < 2000; ++k) {
     weights = ex3_2::away_step(problem.compliance, problem.free_gap, weights);
-    REQUIRE((weights.size() == n && weights.minCoeff() >= 0));
+    REQUIRE(weights.size() == n);
+    REQUIRE(weights.minCoeff() >= 0);
     REQUIRE(weights.sum() == Approx(1).epsilon(1e-12));
     const double next = signorini::surrogate_dual_value(problem, weights);
     REQUIRE(next >= s * (1 - 1e-13));  // never downhill
     s = next;
   }
   const signorini::ContactState exact = signorini::enumerate(problem);
-  CHECK((weights - exact.force / exact.force.sum()).norm() < 1e-6);
+  CHECK(equal_within(weights, exact.force / exact.force.sum(), 1e-6));
   for (Index i = 0; i < n; ++i)
     if (exact.gap(i) > 0.05) CHECK(weights(i) == 0);  // open pairs are dropped, not just small
 }

@@ -60,10 +60,12 @@ TEST_CASE("ex4.2 held out: the end is feasible, balanced, lower, and the bound h
   const auto [q, from, towards] = random_case(seed);
   const ex4_2::End end = ex4_2::last_step(q, from, towards);
   CAPTURE(seed, end.fraction);
-  REQUIRE((end.state.displacement.size() == 6 && end.state.force.size() == 8));
+  REQUIRE(end.state.displacement.size() == 6);
+  REQUIRE(end.state.force.size() == 8);
   const VectorXd& u = end.state.displacement;
   const VectorXd gap = q.initial_gap - q.A * u;
-  CHECK((end.fraction > 0 && end.fraction <= 1));
+  CHECK(end.fraction > 0);
+  CHECK(end.fraction <= 1);
   CHECK(gap.minCoeff() > -1e-13);
   if (end.fraction < 1) CHECK(gap.minCoeff() < 1e-13);  // it goes as far as it can
   CHECK(end.state.force.minCoeff() >= 0);

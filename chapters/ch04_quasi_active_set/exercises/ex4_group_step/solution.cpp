@@ -51,18 +51,21 @@ Round group_step(const ContactProblem& problem, const VectorXd& old, const Rows&
   while (open(rows, [&](Index i) { return goal(i) < 0; })) goal = close(problem, rows);
   if (dual_energy(problem, goal) > dual_energy(problem, old)) return {goal, true};
 
+  VectorXd force = old;
   rows = group;
-  for (VectorXd force = old;;) {
+  goal = close(problem, rows);
+  while (goal.minCoeff() < 0) {
+    VectorXd part = VectorXd::Ones(goal.size());  // of the way that each force can go
+    for (const Index i : rows)
+      if (goal(i) < 0) part(i) = force(i) / (force(i) - goal(i));
+    const double shortest = part.minCoeff();
+    force += shortest * (goal - force);
+    open(rows, [&](Index i) { return goal(i) < 0 && part(i) == shortest; });
+    for (Index i = 0; i < force.size(); ++i)
+      if (goal(i) < 0 && part(i) == shortest) force(i) = 0;
     goal = close(problem, rows);
-    const auto part = [&](Index i) { return goal(i) < 0 ? force(i) / (force(i) - goal(i)) : 1; };
-    double t = 1;
-    for (const Index i : rows) t = std::min(t, part(i));
-    if (t == 1) return {goal, false};
-    open(rows, [&](Index i) { return goal(i) < 0 && part(i) <= t; });
-    const VectorXd there = force + t * (goal - force);
-    force.setZero();
-    force(rows) = there(rows);
   }
+  return {goal, false};
 }
 
 }  // namespace ex4_4

@@ -32,6 +32,7 @@ TEST_CASE("ex4.5 held out: the end and the optimum", "[ex4.5]") {
   const exact::Rest best = closest(q, {0, 1, 2, 3}, q.p);
   for (std::size_t i = 0; i < 4; ++i) {
     CAPTURE(i);
+    CAPTURE(i + 1, mine.pulling, mine.missing, held.force[i].value());
     CHECK((mine.pulling == static_cast<int>(i) + 1) == (held.force[i] < 0));
     const bool missing = 0 < best.force[i] && held.force[i] == 0;
     CHECK((mine.missing == static_cast<int>(i) + 1) == missing);

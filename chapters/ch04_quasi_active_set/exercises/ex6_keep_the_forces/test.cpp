@@ -1,6 +1,7 @@
 #include "../chapters/ch04_quasi_active_set/cases.hpp"
 #include "catch_compat.hpp"
 #include "exercise.hpp"
+#include "support/equal_within.hpp"
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
@@ -29,22 +30,22 @@ TEST_CASE("ex4.6 where one round is enough, one round it is", "[ex4.6]") {
 TEST_CASE("ex4.6 the zigzag ends in its corner", "[ex4.6]") {
   const std::vector<Round> rounds = outer_loop(floating(ch04::corner), 50);
   REQUIRE(rounds.size() == 2);
-  CHECK((rounds[0].displacement - Vector2d(1, 0)).norm() < 1e-14);
+  CHECK(equal_within(rounds[0].displacement, Vector2d(1, 0), 1e-14));
   CHECK(rounds[1].displacement.norm() < 1e-13);
-  CHECK((rounds[1].force - Vector2d(3, 1)).norm() < 1e-13);
+  CHECK(equal_within(rounds[1].force, Vector2d(3, 1), 1e-13));
 }
 
 TEST_CASE("ex4.6 four walls", "[ex4.6]") {
   const std::vector<Round> rounds = outer_loop(floating(ch04::four_walls), 50);
   REQUIRE(rounds.size() < 10);
   const exact::Rest best = closest(ch04::four_walls, {0, 1, 2, 3}, ch04::four_walls.p);
-  CHECK((rounds.back().displacement - ch04::floating(best.u)).norm() < 1e-12);
-  CHECK((rounds.back().force - ch04::floating(best.force)).norm() < 1e-12);
+  CHECK(equal_within(rounds.back().displacement, ch04::floating(best.u), 1e-12));
+  CHECK(equal_within(rounds.back().force, ch04::floating(best.force), 1e-12));
 }
 
 TEST_CASE("ex4.6 nothing violated, no round; and never more than are allowed", "[ex4.6]") {
   DenseProgramme away = floating(ch04::corner);
   away.initial_gap = Vector2d(5, 5);
-  CHECK(outer_loop(away, 50).empty());
+  CHECK(outer_loop(away, 50) == decltype(outer_loop(away, 50)){});
   CHECK(outer_loop(floating(ch04::corner), 1).size() == 1);
 }

@@ -1,6 +1,7 @@
 #include "catch_compat.hpp"
 #include "exercise.hpp"
 #include "papers/examples.hpp"
+#include "support/equal_within.hpp"
 
 using Eigen::Index;
 using Eigen::VectorXd;
@@ -14,7 +15,7 @@ TEST_CASE("ex5.1 one pivot solves its row and clears the column", "[ex5.1]") {
   CHECK(tableau.basic == std::vector<Index>{4, 1});
   Eigen::MatrixXd expected(2, 6);
   expected << -1, 0, 2, 1, 1, 7, -1, 1, 1, -1, 0, 2;
-  CHECK((tableau.rows - expected).norm() == Approx(0).margin(1e-14));
+  CHECK(equal_within(tableau.rows, expected, 1e-14));
 }
 
 // z1 may grow until w2 (2 - z1) or z0 (7 - 2 z1) is zero.
@@ -44,7 +45,7 @@ TEST_CASE("ex5.1 two pairs alike make ties on the way", "[ex5.1]") {
                                           Eigen::Vector2d(-1, -1)};
   const ex5_1::Path path = ex5_1::drive(problem, VectorXd::Ones(2), 100);
   CHECK(path.solved);
-  CHECK((path.force - Eigen::Vector2d(1, 1) / 3).norm() == Approx(0).margin(1e-14));
+  CHECK(equal_within(path.force, Eigen::Vector2d(1, 1) / 3, 1e-14));
 }
 
 // The two pairs of chapter 3: forces (3, 1).
@@ -54,7 +55,7 @@ TEST_CASE("ex5.1 two pairs", "[ex5.1]") {
   const ex5_1::Path path = ex5_1::drive(problem, VectorXd::Ones(2), 100);
   CHECK(path.solved);
   CHECK(path.pivots == 3);
-  CHECK((path.force - Eigen::Vector2d(3, 1)).norm() == Approx(0).margin(1e-13));
+  CHECK(equal_within(path.force, Eigen::Vector2d(3, 1), 1e-13));
 }
 
 TEST_CASE("ex5.1 Fathi's problems take every basis", "[ex5.1]") {
@@ -63,6 +64,6 @@ TEST_CASE("ex5.1 Fathi's problems take every basis", "[ex5.1]") {
     CAPTURE(n);
     CHECK(path.solved);
     CHECK(path.pivots == 1 << n);
-    CHECK((path.force - VectorXd::Unit(n, 0)).norm() == Approx(0).margin(1e-9));
+    CHECK(equal_within(path.force, VectorXd::Unit(n, 0), 1e-9));
   }
 }

@@ -6,6 +6,7 @@
 #include "papers/examples.hpp"
 #include "signorini/core/random.hpp"
 #include "signorini/solvers/enumerate.hpp"
+#include "support/equal_within.hpp"
 
 using namespace ex5_3;
 using Eigen::MatrixXd;
@@ -49,11 +50,11 @@ TEST_CASE("ex5.3 held out: the order does not matter, and twice is not at all", 
   Table one = first, two = first;
   for (const Index i : {0, 3, 4}) exchange(one, i);
   for (const Index i : {4, 0, 3}) exchange(two, i);
-  CHECK((one.M - two.M).norm() < 1e-11);
-  CHECK((one.q - two.q).norm() < 1e-11);
+  CHECK(equal_within(one.M, two.M, 1e-11));
+  CHECK(equal_within(one.q, two.q, 1e-11));
   for (const Index i : {3, 4, 0}) exchange(one, i);
-  CHECK((one.M - first.M).norm() < 1e-10);
-  CHECK((one.q - first.q).norm() < 1e-10);
+  CHECK(equal_within(one.M, first.M, 1e-10));
+  CHECK(equal_within(one.q, first.q, 1e-10));
   CHECK(one.closed == first.closed);
 }
 
@@ -65,7 +66,7 @@ TEST_CASE("ex5.3 held out: random problems that it solves, it solves right", "[e
     const Run run = drive({first.M, first.q}, 60);
     CAPTURE(sample);
     if (run.solved)
-      CHECK((run.force - signorini::enumerate({first.M, first.q}).force).norm() < 1e-9);
+      CHECK(equal_within(run.force, signorini::enumerate({first.M, first.q}).force, 1e-9));
     solved += run.solved ? 1 : 0;
   }
   CHECK(solved > 290);
@@ -84,7 +85,7 @@ TEST_CASE("ex5.3 held out: a punch", "[ex5.3]") {
 // A pair that just touches, with rounding, is on the right side.
 TEST_CASE("ex5.3 held out: rounding is not wrong, pairs that depend are refused", "[ex5.3]") {
   Table touching{Eigen::Matrix2d::Identity(), Eigen::Vector2d(-1e-14, 1), {false, false}};
-  CHECK(exchange_wrong_pairs(touching).empty());
+  CHECK(exchange_wrong_pairs(touching) == decltype(exchange_wrong_pairs(touching)){});
   Table twice{Eigen::Matrix2d::Ones(), Eigen::Vector2d(-1, -1), {false, false}};
   CHECK_THROWS_AS(exchange_wrong_pairs(twice), std::invalid_argument);
   CHECK_THROWS_AS(exchange(twice, -1), std::invalid_argument);

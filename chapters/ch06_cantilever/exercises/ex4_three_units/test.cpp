@@ -43,7 +43,7 @@ TEST_CASE("ex6.4 what just touches has no force, in any unit", "[ex6.4]") {
     Eigen::VectorXd force = Eigen::VectorXd::Zero(12);
     force.head(6) << 0.3, 0.7, 0.1, 0.9, 0.2, 0.6;
     force(sample % 6) += 1.0 / sample;
-    CHECK((closed_nodes(in_units({G, -G * force}, length, 1)) == Rows{0, 1, 2, 3, 4, 5}));
+    CHECK(closed_nodes(in_units({G, -G * force}, length, 1)) == Rows{0, 1, 2, 3, 4, 5});
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include "catch_compat.hpp"
 #include "exercise.hpp"
+#include "support/equal_within.hpp"
 
 using Eigen::Vector2d;
 using Eigen::VectorXd;
@@ -32,7 +33,7 @@ TEST_CASE("ex7.1 held out: where a straight pressure is cut does not matter", "[
   const VectorXd fine = VectorXd::LinSpaced(1000, -0.4, 1.3);
   const Vector2d one = arc_force(coarse, 2 + 3 * coarse.array(), 5, 0.3);
   const Vector2d many = arc_force(fine, 2 + 3 * fine.array(), 5, 0.3);
-  CHECK((one - many).norm() < 1e-12 * one.norm());
+  CHECK(equal_within(one, many, 1e-12 * one.norm()));
 }
 
 // A jump of the pressure within a billionth of a degree: the rest must not suffer.
@@ -46,7 +47,7 @@ TEST_CASE("ex7.1 held out: angles that nearly agree", "[ex7.1]") {
     const Vector2d force = arc_force(angle, pressure, 1, 1);
     const Vector2d jump = 2 * Vector2d(std::sin(1), 1 - std::cos(1)) +
                           5 * Vector2d(std::sin(1.5) - std::sin(1), std::cos(1) - std::cos(1.5));
-    CHECK((force - jump).norm() < 3 * sliver + 1e-13);
+    CHECK(equal_within(force, jump, 3 * sliver + 1e-13));
   }
 }
 
@@ -55,7 +56,7 @@ TEST_CASE("ex7.1 held out: a turned arc has a turned force", "[ex7.1]") {
   const VectorXd pressure = angle.array().square();
   const Vector2d here = arc_force(angle, pressure, 2, 3);
   const Vector2d there = arc_force(angle.array() + pi / 2, pressure, 2, 3);
-  CHECK((there - Vector2d(-here.y(), here.x())).norm() < 1e-12 * here.norm());
+  CHECK(equal_within(there, Vector2d(-here.y(), here.x()), 1e-12 * here.norm()));
 }
 
 TEST_CASE("ex7.1 held out: input that is no arc is refused", "[ex7.1]") {

@@ -2,7 +2,7 @@
 
 namespace ex8_1 {
 
-signorini::ComplementaritySlope slope(double /*a*/, double /*b*/) {
+Slope slope(double /*a*/, double /*b*/) {
   // your code here: the corner first, then the digits
   return {0, 0};
 }

@@ -13,7 +13,7 @@ double cosine_less_one(double own, double other) {
 
 }  // namespace
 
-signorini::ComplementaritySlope slope(double a, double b) {
+Slope slope(double a, double b) {
   if (a == 0 && b == 0) return {std::sqrt(0.5) - 1, std::sqrt(0.5) - 1};
   return {cosine_less_one(a, b), cosine_less_one(b, a)};
 }

@@ -3,10 +3,10 @@
 #include "catch_compat.hpp"
 #include "exercise.hpp"
 
-using signorini::ComplementaritySlope;
+using ex8_1::Slope;
 
 TEST_CASE("ex8.1 a triangle with sides 3, 4 and 5", "[ex8.1]") {
-  const ComplementaritySlope at = ex8_1::slope(3, 4);
+  const Slope at = ex8_1::slope(3, 4);
   CHECK(at.a == Approx(3.0 / 5 - 1).epsilon(1e-15));
   CHECK(at.b == Approx(4.0 / 5 - 1).epsilon(1e-15));
 }
@@ -20,7 +20,7 @@ TEST_CASE("ex8.1 a pair that is open or closed has the slope of one number only"
 }
 
 TEST_CASE("ex8.1 at the kink the slope is the one along a = b", "[ex8.1]") {
-  const ComplementaritySlope kink = ex8_1::slope(0, 0);
+  const Slope kink = ex8_1::slope(0, 0);
   CHECK(kink.a == Approx(std::sqrt(0.5) - 1).epsilon(1e-15));
   CHECK(kink.b == Approx(std::sqrt(0.5) - 1).epsilon(1e-15));
 }

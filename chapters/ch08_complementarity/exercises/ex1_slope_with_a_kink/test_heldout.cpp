@@ -3,8 +3,9 @@
 #include "catch_compat.hpp"
 #include "exercise.hpp"
 #include "signorini/core/random.hpp"
+#include "signorini/problem/complementarity_functions.hpp"
 
-using signorini::ComplementaritySlope;
+using ex8_1::Slope;
 using signorini::fischer_burmeister;
 
 TEST_CASE("ex8.1 held out: the slope agrees with central differences", "[ex8.1]") {
@@ -14,7 +15,7 @@ TEST_CASE("ex8.1 held out: the slope agrees with central differences", "[ex8.1]"
     const double b = random.uniform(-2, 2);
     CAPTURE(a, b);
     const double h = 1e-5 * std::hypot(a, b);  // differences are wrong by 1e-10 of the slope
-    const ComplementaritySlope at = ex8_1::slope(a, b);
+    const Slope at = ex8_1::slope(a, b);
     const double of_a = fischer_burmeister(a + h, b) - fischer_burmeister(a - h, b);
     const double of_b = fischer_burmeister(a, b + h) - fischer_burmeister(a, b - h);
     CHECK(of_a / (2 * h) == Approx(at.a).margin(1e-8));
@@ -31,7 +32,7 @@ TEST_CASE("ex8.1 held out: every slope lies on a circle, whatever the size of th
       const double a = random.uniform(-1, 1);
       const double b = random.uniform(-1, 1);
       CAPTURE(size, a, b);
-      const ComplementaritySlope at = ex8_1::slope(size * a, size * b);
+      const Slope at = ex8_1::slope(size * a, size * b);
       CHECK(std::hypot(at.a + 1, at.b + 1) == Approx(1).epsilon(1e-14));
       CHECK(at.a == Approx(ex8_1::slope(a, b).a).epsilon(1e-13));
     }

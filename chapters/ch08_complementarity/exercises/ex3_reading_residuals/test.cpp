@@ -31,6 +31,9 @@ TEST_CASE("ex8.3 four runs by hand", "[ex8.3]") {
   CHECK(fate({1, 1e-1, 1e-3, 1e-7}) == Fate::Quick);
   CHECK(fate({3, 2, 5, 2, 5}) == Fate::Round);
   CHECK(fate({1, 2, 1, 3}) == Fate::Unclear);
+  CHECK(fate({1, 10, 1, 1e-2}) == Fate::Unclear);       // a step back before the gains grow
+  CHECK(fate({1, 1e-1, 1e-2, 3e-3}) == Fate::Unclear);  // the last gain is half as large
+  CHECK(period({1, 2, 1, 3}) == 0);
   CHECK(period({3, 2, 5, 2, 5}) == 2);
   CHECK(period({1, 1e-1, 1e-2, 1e-3}) == 0);
 }
@@ -56,8 +59,17 @@ TEST_CASE("ex8.3 the forecast of a steady run", "[ex8.3]") {
   CHECK_FALSE(steps_left(run(three, 1), 1e-10));
   CHECK(steps_left({1, 1e-1, 1e-3, 1e-7}, 2e-15) == 1);
   CHECK(steps_left({1, 1e-1, 1e-3, 1e-7}, 5e-16) == 2);
+  CHECK(steps_left({1, 1e-1, 1e-3, 1e-9}, 1e-25) ==
+        2);  // gains of 1, 2 and 6 digits, then 12 and 24
+  // 1, 1.6 and 2.56 digits, then 4.1 and 6.6
+  CHECK(steps_left({1, 1e-1, std::pow(10, -2.6), std::pow(10, -5.16)}, 1e-10) == 2);
 }
 
 TEST_CASE("ex8.3 three residuals are too few", "[ex8.3]") {
   CHECK_THROWS_AS(digits_gained({1, 0.1, 0.01}), std::invalid_argument);
+}
+
+TEST_CASE("ex8.3 a residual of zero ends a run", "[ex8.3]") {
+  CHECK(digits_gained({1, 0.1, 0.01, 0}).back() == HUGE_VAL);
+  CHECK_THROWS_AS(digits_gained({1, 0, 0.1, 0.01}), std::invalid_argument);
 }

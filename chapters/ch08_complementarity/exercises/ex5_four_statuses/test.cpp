@@ -2,6 +2,7 @@
 
 #include "catch_compat.hpp"
 #include "exercise.hpp"
+#include "support/equal_within.hpp"
 
 using namespace ex8_5;
 using Eigen::VectorXd;
@@ -27,9 +28,9 @@ TEST_CASE("ex8.5 what a pair does, by the maps", "[ex8.5]") {
 TEST_CASE("ex8.5 the forces that statuses stand for", "[ex8.5]") {
   const auto forces = [](Status status) { return forces_of(one_pair(-1, 1, 0.5), {status}); };
   CHECK(forces(Status::Open).norm() == 0);
-  CHECK((forces(Status::Stick) - Eigen::Vector2d(1, -1)).norm() < 1e-15);
-  CHECK((forces(Status::Forward) - Eigen::Vector2d(1, -0.5)).norm() < 1e-15);
-  CHECK((forces(Status::Backward) - Eigen::Vector2d(1, 0.5)).norm() < 1e-15);
+  CHECK(equal_within(forces(Status::Stick), Eigen::Vector2d(1, -1), 1e-15));
+  CHECK(equal_within(forces(Status::Forward), Eigen::Vector2d(1, -0.5), 1e-15));
+  CHECK(equal_within(forces(Status::Backward), Eigen::Vector2d(1, 0.5), 1e-15));
 }
 
 TEST_CASE("ex8.5 one pair sticks or slides", "[ex8.5][LinEtAl-13][LinEtAl-14]") {
@@ -57,11 +58,20 @@ TEST_CASE("ex8.5 two pairs of which one would pull, and three that run in a circ
       without_friction((Eigen::Matrix2d() << 2, 1, 1, 2).finished(), Eigen::Vector2d(-3, -1)), 1);
   REQUIRE(two.solved);
   CHECK(two.steps == 2);
-  CHECK((two.force - Eigen::Vector2d(1.5, 0)).norm() < 1e-15);
+  CHECK(equal_within(two.force, Eigen::Vector2d(1.5, 0), 1e-15));
   const Answer circle =
       semismooth(without_friction((Eigen::Matrix3d() << 4, -6, -4, -6, 10, 8, -4, 8, 9).finished(),
                                   Eigen::Vector3d(3, -4, -1)),
                  1);
   CHECK_FALSE(circle.solved);
   CHECK(circle.steps == 3);
+}
+
+TEST_CASE("ex8.5 of two pairs one sticks and one slides", "[ex8.5]") {
+  const Answer answer = semismooth(
+      {Eigen::Matrix4d::Identity(), Eigen::Vector2d(-1, -2), Eigen::Vector2d(0.3, 3), 0.5}, 1);
+  REQUIRE(answer.solved);
+  CHECK(equal_within(answer.force, Eigen::Vector2d(1, 2), 1e-15));
+  CHECK(equal_within(answer.friction, Eigen::Vector2d(-0.3, -1), 1e-15));
+  CHECK(answer.statuses == std::vector<Status>{Status::Stick, Status::Forward});
 }

@@ -1,5 +1,6 @@
 #include "catch_compat.hpp"
 #include "exercise.hpp"
+#include "support/equal_within.hpp"
 
 using Eigen::Index;
 using Eigen::VectorXd;
@@ -21,13 +22,13 @@ const VectorXd three_edges = VectorXd::LinSpaced(4, 0, 2);
 
 TEST_CASE("ex10.2 nodes that meet see each other only", "[ex10.2]") {
   const Eigen::MatrixXd P = ex10_2::projection(three_edges, three_edges);
-  CHECK((P - Eigen::MatrixXd::Identity(4, 4)).norm() < 1e-14);
+  CHECK(equal_within(P, Eigen::MatrixXd::Identity(4, 4), 1e-14));
 }
 
 TEST_CASE("ex10.2 two edges above three", "[ex10.2]") {
   const Eigen::MatrixXd P = ex10_2::projection(two_edges, three_edges);
   REQUIRE(P.rows() == 3);
-  CHECK((P.row(1) - Eigen::RowVector4d(-2, 11, 11, -2) / 18).norm() < 1e-14);
+  CHECK(equal_within(P.row(1), Eigen::RowVector4d(-2, 11, 11, -2) / 18, 1e-14));
 }
 
 TEST_CASE("ex10.2 the patch test: a uniform pressure puts on the target what it should",
@@ -36,6 +37,6 @@ TEST_CASE("ex10.2 the patch test: a uniform pressure puts on the target what it 
   uneven << 0, 0.3, 0.5, 1.6, 2;
   for (const VectorXd& target : {two_edges, three_edges, uneven}) {
     const Eigen::MatrixXd P = ex10_2::projection(two_edges, target);
-    CHECK((P.transpose() * shares(two_edges) - shares(target)).norm() < 1e-14);
+    CHECK(equal_within(P.transpose() * shares(two_edges), shares(target), 1e-14));
   }
 }

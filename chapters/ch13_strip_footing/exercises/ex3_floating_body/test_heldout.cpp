@@ -1,6 +1,7 @@
 #include "../chapters/ch13_strip_footing/footing.hpp"
 #include "catch_compat.hpp"
 #include "exercise.hpp"
+#include "support/equal_within.hpp"
 
 using namespace ex13_3;
 using Eigen::Index;
@@ -49,8 +50,8 @@ TEST_CASE("ex13.3 held out: held where it touches", "[ex13.3]") {
        {std::vector<Index>{1}, std::vector<Index>{0, 1}, std::vector<Index>{1, 0}}) {
     const Rest inside = rest_of(body, 2, closed), at_the_end = rest_of(body, 4, closed);
     REQUIRE(at_the_end.displacement.size() == 5);
-    CHECK((inside.force - at_the_end.force).norm() < 1e-12);
-    CHECK((inside.displacement - at_the_end.displacement).norm() < 1e-12);
+    CHECK(equal_within(inside.force, at_the_end.force, 1e-12));
+    CHECK(equal_within(inside.displacement, at_the_end.displacement, 1e-12));
     CHECK(at_the_end.amplitude == Approx(at_the_end.displacement(4)).epsilon(1e-12));
   }
 }
@@ -64,8 +65,8 @@ TEST_CASE("ex13.3 held out: units, and a motion twice as long", "[ex13.3]") {
       body.motion *= 2;
       const Rest other = rest_of(body, 3, {0, 1});
       REQUIRE(other.displacement.size() == 6);
-      CHECK((other.displacement / length - plain.displacement).norm() < 1e-11);
-      CHECK((other.force / (stiffness * length) - plain.force).norm() < 1e-11);
+      CHECK(equal_within(other.displacement / length, plain.displacement, 1e-11));
+      CHECK(equal_within(other.force / (stiffness * length), plain.force, 1e-11));
       CHECK(2 * other.amplitude / length == Approx(plain.amplitude).epsilon(1e-11));
     }
 }
@@ -84,7 +85,7 @@ TEST_CASE("ex13.3 held out: the footing of the chapter", "[ex13.3]") {
   known.body.motion.cwiseAbs().minCoeff(&still);
   const Rest rest = rest_of(known.body, held, known.closed);
   REQUIRE(rest.force.size() == known.force.size());
-  CHECK((rest.force - known.force).norm() < 1e-9 * known.force.norm());
-  CHECK((rest.displacement - known.displacement).norm() < 1e-9 * known.displacement.norm());
+  CHECK(equal_within(rest.force, known.force, 1e-9 * known.force.norm()));
+  CHECK(equal_within(rest.displacement, known.displacement, 1e-9 * known.displacement.norm()));
   CHECK_THROWS_AS(rest_of(known.body, still, known.closed), std::invalid_argument);
 }

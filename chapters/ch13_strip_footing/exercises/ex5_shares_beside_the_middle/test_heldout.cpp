@@ -5,6 +5,7 @@
 #include "catch_compat.hpp"
 #include "closed_form/footing.hpp"
 #include "exercise.hpp"
+#include "support/equal_within.hpp"
 
 using Eigen::Index;
 using Eigen::VectorXd;
@@ -41,7 +42,7 @@ TEST_CASE("ex13.5 held out: what bears beyond a/2 is a shorter strip", "[ex13.5]
   const double e = 0.8, b = 2 * (1 - e);
   const VectorXd share = shares({1, 7, e}, whole);
   VectorXd same = shares({b, 7, b / 2}, whole.array() - (1 - b));
-  CHECK((share - same).norm() < 1e-13);
+  CHECK(equal_within(share, same, 1e-13));
   for (Index k = 0; k < whole.size(); ++k) {
     CAPTURE(whole(k));
     if (whole(k) < 1 - 2 * b - 0.026)
@@ -55,11 +56,11 @@ TEST_CASE("ex13.5 held out: a mirror, and the place where it begins to lift off"
   const VectorXd position = VectorXd::LinSpaced(12, -3, 3);
   for (const double e : {0.4, 1.5, 2.2}) {
     const VectorXd right = shares({3, 2, e}, position), left = shares({3, 2, -e}, position);
-    CHECK((right - left.reverse()).norm() < 1e-13);
+    CHECK(equal_within(right, left.reverse(), 1e-13));
   }
   const VectorXd below = shares({3, 2, 1.5 * (1 - 1e-9)}, position);
   const VectorXd above = shares({3, 2, 1.5 * (1 + 1e-9)}, position);
-  CHECK((below - above).norm() < 1e-8);
+  CHECK(equal_within(below, above, 1e-8));
 }
 
 TEST_CASE("ex13.5 held out: units", "[ex13.5]") {
@@ -67,8 +68,8 @@ TEST_CASE("ex13.5 held out: units", "[ex13.5]") {
   for (const double e : {0.3, 0.7}) {
     const VectorXd plain = shares({1, 1, e}, position);
     for (const double unit : {1e-9, 1e9})
-      CHECK((shares({unit, 2 * unit, e * unit}, unit * position) / (2 * unit) - plain).norm() <
-            1e-12);
+      CHECK(equal_within(shares({unit, 2 * unit, e * unit}, unit * position) / (2 * unit), plain,
+                         1e-12));
   }
 }
 

@@ -36,7 +36,7 @@ TEST_CASE("ex15.1 nothing that sticks has no width", "[ex15.1]") {
   const Map map = map_of({"offffffko", "offfffffo"});
   CHECK(stuck_half_width(map, 0) == 0);
   CHECK(stuck_half_width(map, 1) == 0);
-  CHECK(always_stuck(map).empty());
+  CHECK(always_stuck(map) == decltype(always_stuck(map)){});
   CHECK_THROWS_AS(stuck_half_width(map, 2), std::out_of_range);
 }
 

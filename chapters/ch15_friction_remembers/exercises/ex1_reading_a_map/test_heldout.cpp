@@ -9,7 +9,7 @@ constexpr ContactStatus o = ContactStatus::Open, k = ContactStatus::Stick,
 
 TEST_CASE("ex15.1 held out: a pair that opens does not say that a push has turned", "[ex15.1]") {
   const Map map{Eigen::Vector3d(0, 1, 2), {{f, k, b}, {o, f, o}, {f, f, k}}};
-  CHECK(turns(map).empty());
+  CHECK(turns(map) == decltype(turns(map)){});
 }
 
 TEST_CASE("ex15.1 held out: sliding the other way at once is a turn", "[ex15.1]") {
@@ -25,12 +25,12 @@ TEST_CASE("ex15.1 held out: pairs in any order, off the middle, and a gap in wha
   CHECK(stuck_half_width(map, 0) == 3);
   CHECK(stuck_half_width(map, 1) == 2);
   CHECK(always_stuck(map) == std::vector<Eigen::Index>{0, 4});
-  CHECK(turns(map).empty());
+  CHECK(turns(map) == decltype(turns(map)){});
 }
 
 TEST_CASE("ex15.1 held out: one row has no turn", "[ex15.1]") {
   const Map map{Eigen::Vector2d(-1, 1), {{k, k}}};
-  CHECK(turns(map).empty());
+  CHECK(turns(map) == decltype(turns(map)){});
   CHECK(stuck_half_width(map, 0) == 1);
   CHECK(always_stuck(map).size() == 2);
 }

@@ -1,5 +1,6 @@
 #include "catch_compat.hpp"
 #include "exercise.hpp"
+#include "support/equal_within.hpp"
 #include "support/random.hpp"
 
 using namespace ex15_3;
@@ -30,7 +31,7 @@ TEST_CASE("ex15.3 held out: without a turn, one step is as good as many", "[ex15
       double last = 0;
       for (int k = 1; k <= 10; ++k) last = step(sliders, from + 0.1 * k * (to - from), many);
       CHECK(pull == Approx(last).margin(1e-12));
-      CHECK((one.place - many.place).norm() <= 1e-12);
+      CHECK(equal_within(one.place, many.place, 1e-12));
       CHECK(one.lost == Approx(many.lost).margin(1e-11));
       from = to;
     }
@@ -66,7 +67,7 @@ TEST_CASE("ex15.3 held out: a small loop inside is forgotten when it closes", "[
   const VectorXd place = state.place;
   (void)step(sliders, 1.7, state);
   CHECK(step(sliders, 1, state) == Approx(pull).margin(1e-12));
-  CHECK((state.place - place).norm() <= 1e-13);
+  CHECK(equal_within(state.place, place, 1e-13));
 }
 
 TEST_CASE("ex15.3 held out: what sticks keeps its place to the last bit, no friction bears nothing",

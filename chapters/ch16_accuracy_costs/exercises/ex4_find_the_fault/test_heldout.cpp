@@ -7,7 +7,7 @@ TEST_CASE("ex16.4 held out: small phases neither count nor vote", "[ex16.4]") {
   const Verdict verdict = find_fault(
       {{"plan", 0.01, 0.1}, {"factor", 4, 4}, {"recovery", 0.01, 0.1}, {"contact", 0.001, 0.1}});
   CHECK(verdict.slowness == 1);
-  CHECK(verdict.faulty.empty());
+  CHECK(verdict.faulty == decltype(verdict.faulty){});
 }
 
 TEST_CASE("ex16.4 held out: too long and too short are faults", "[ex16.4]") {

@@ -35,7 +35,8 @@ TEST_CASE("ex17.5 held out: one figure of a bad answer at a time", "[ex17.5]") {
     const signorini::PrimalDual answer{pushed, {}, force};
     const Certificate really = certify(programme, answer);
     CAPTURE(seed);
-    CHECK(understated(programme, {"", answer, really}).empty());
+    CHECK(understated(programme, {"", answer, really}) ==
+          decltype(understated(programme, {"", answer, really})){});
     const auto forged = [&](double Certificate::*figure, double value) {
       Certificate printed = really;
       printed.*figure = value;
@@ -51,7 +52,9 @@ TEST_CASE("ex17.5 held out: one figure of a bad answer at a time", "[ex17.5]") {
       CAPTURE(name);
       REQUIRE(really.*figure > 1e-6);
       CHECK(forged(figure, 1e-3 * really.*figure) == one(name));
-      CHECK(forged(figure, 0.51 * really.*figure).empty());  // a figure is printed with few digits
+      CHECK(forged(figure, 0.51 * really.*figure) ==
+            decltype(forged(figure,
+                            0.51 * really.*figure)){});  // a figure is printed with few digits
       CHECK(forged(figure, 0.49 * really.*figure) == one(name));
       CHECK(forged(figure, -1) == one(name));
       CHECK(forged(figure, no_number) == one(name));
@@ -97,7 +100,7 @@ TEST_CASE("ex17.5 held out: the same pile in other units, and an empty one", "[e
     CHECK(other.bad == plain.bad);
     CHECK(other.untrue == plain.untrue);
   }
-  CHECK(read(posed(), {}).untrue.empty());
+  CHECK(read(posed(), {}).untrue == decltype(read(posed(), {}).untrue){});
 }
 
 // A figure that no figure can be was not computed, however good the answer is.

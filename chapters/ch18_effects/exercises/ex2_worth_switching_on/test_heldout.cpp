@@ -111,7 +111,7 @@ TEST_CASE("ex18.2 held out: many small ones may not be left out together", "[ex1
   fit.pressure *= 0.007 / share_of(fit, "edge loads");
   fit.hub_warmer = 0;
   fit.shaft_warmer = 0.006 * strain / fit.shaft_expansion;
-  CHECK(worth_switching_on(fit, 0.022).empty());
+  CHECK(worth_switching_on(fit, 0.022) == decltype(worth_switching_on(fit, 0.022)){});
   CHECK(worth_switching_on(fit, 0.02) == Names{"body force"});
   CHECK(worth_switching_on(fit, 0.01) == Names{"body force", "edge loads"});
   CHECK(worth_switching_on(fit, 0.005) == Names{"body force", "edge loads", "temperature"});
@@ -123,7 +123,7 @@ TEST_CASE("ex18.2 held out: equal ones in the order of the plan, absent ones nev
   const std::vector<Change> all = changes(fit);
   REQUIRE(all.size() == 4);
   for (std::size_t k = 0; k < 4; ++k) CHECK(all[k].effect == all_effects[k]);
-  CHECK(worth_switching_on(fit, 1e-300).empty());
+  CHECK(worth_switching_on(fit, 1e-300) == decltype(worth_switching_on(fit, 1e-300)){});
 }
 
 TEST_CASE("ex18.2 held out: what is no fit is refused", "[ex18.2]") {

@@ -26,7 +26,7 @@ TEST_CASE("ex20.2 a force that joins, leaves and joins again has left once", "[e
 TEST_CASE("ex20.2 without an overlap nothing is to be done", "[ex20.2]") {
   const Reading end = read({false, false}, {});
   CHECK(end.solved);
-  CHECK(end.closed.empty());
+  CHECK(end.closed == decltype(end.closed){});
 }
 
 TEST_CASE("ex20.2 a force beside the gap of its pair breaks the rule", "[ex20.2]") {

@@ -18,7 +18,7 @@ TEST_CASE("ex20.2 held out: what cannot be is refused", "[ex20.2]") {
 
 TEST_CASE("ex20.2 held out: a gap may take the place of its force", "[ex20.2]") {
   const Reading end = read({true, true}, {{2, 4}, {0, 2}});
-  CHECK(end.closed.empty());
+  CHECK(end.closed == decltype(end.closed){});
   CHECK(end.in_vain == 1);
   CHECK(end.ended == 1);
   CHECK_FALSE(end.solved);  // the overlap of the second pair is still there
