@@ -15,7 +15,8 @@
 // \f$ \tau = -1 \f$, and both parts are zero.
 //
 // The weak place is \f$ b = 0 \f$, as at every open pair without cohesion. Both conditions then say
-// only \f$ \tau = 0 \f$, the parts may grow together, and the Jacobian is singular.
+// only \f$ \tau = 0 \f$, the parts may grow together, and where both are positive the Jacobian is
+// singular.
 // [Chapter 8](../../chapters/ch08_complementarity/README.md) has the table. This file has the
 // equations, Newton's method on them, and what makes it work.
 

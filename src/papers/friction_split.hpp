@@ -17,7 +17,7 @@ namespace signorini {
 /// Nothing is scaled, no step is shortened, and c is carried across open gaps. The start is zero, or the
 /// smallest forces that balance r if there are rigid modes. Where c + mu lambda = 0,
 /// as for every open pair without cohesion, both last equations say only tau = 0: u+ and u- enter by
-/// their difference, and the Jacobian, \PaperEq{LinEtAl, 31}, becomes singular.
+/// their difference, and where both are positive the Jacobian, \PaperEq{LinEtAl, 31}, is singular.
 /// \param problem  F, d, s, mu, c, R, r
 /// \param options  `iteration_limit` 0 stands for 50; `tolerance` on |Phi| over its first value
 /// \return `Solved` only if the certificate of contact holds; `Breakdown` with the pair in `reason` where
@@ -30,9 +30,9 @@ namespace signorini {
 ///
 /// All arguments are scaled; only pairs whose force exceeds their gap carry cohesion; every step goes as
 /// far as the residual falls; the diagonal of u+ and u- in the Jacobian, whose entries lie between
-/// -2 and 0, is lowered by 1e-10, which moves no solution and makes it regular; and once it is settled what every
-/// pair does, that is solved exactly, as in fischer_burmeister(). Of these repairs the shift matters least: with
-/// the others in place, hundreds of random problems take as many steps without it. There is no fallback.
+/// -2 and 0, is lowered by 1e-10, which moves no solution and tells u+ from u- where the bound is zero; and once it is settled what every
+/// pair does, that is solved exactly, as in fischer_burmeister(). There is
+/// no fallback.
 /// \param problem  F, d, s, mu, c, R, r
 /// \param options  `iteration_limit` 0 stands for 25
 /// \return `Solved`; `Infeasible` with `unbounded_direction` if no forces balance r; `IterationLimit`; `Breakdown` if no

@@ -21,8 +21,8 @@ namespace signorini {
 /// \param problem  M and q with M_ii > 0; M_ii = 0 is allowed in rows and columns of zeros
 /// \param options  `iteration_limit` 0 stands for 1000 + 10 n_c sweeps
 /// \return `Solved`, `IterationLimit`, or `Breakdown` if a diagonal entry is negative, or zero in a row or
-///   column that is not: its own force cannot close such a pair. The history keeps sweeps 0 to 31 and then at least 16 of each
-///   32 evenly spaced ones, spacing 2, 4, 8, ...; tension is zero throughout
+///   column that is not: its own force cannot close such a pair. The history keeps sweeps 0 to 31 and then 16 of
+///   each doubling: every 2nd from 32 on, every 4th from 64 on, ...; tension is zero throughout
 /// \throws std::invalid_argument as check_finite()
 [[nodiscard]] ContactState projected_gauss_seidel(const ContactProblem& problem,
                                                   const SolverOptions& options = {});

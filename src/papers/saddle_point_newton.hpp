@@ -49,11 +49,11 @@ struct SaddlePointSolution {
 /// mixed, is `tolerance` of its start: it depends on the units. The default compares numbers of one unit, gap / sqrt(s c_i) and
 /// lambda sqrt(s c_i), where \f$ c_i = \sum_j A_{ij}^2 / K_{jj} \f$ is the compliance of a pair whose
 /// neighbours stand still and s how much more forces on all pairs do; row j of equilibrium counts as
-/// force / sqrt(K_jj). s costs a factor of K; without it a beam of 100 pairs takes 56 steps in place of
-/// 17. The first step is taken whole, as equilibrium is linear and holds from then on, others as
+/// force / sqrt(K_jj). s costs a factor of K; without it the steps grow with the number of
+/// pairs. The first step is taken whole, as equilibrium is linear and holds from then on, others as
 /// far as |F| falls (Armijo's rule), and the method stops when certify() holds to `tolerance`.
 ///
-/// The time of a step is that of J, its factor, two solves, the residuals at every length that is tried and,
+/// The time of a step is that of J, its factor, a solve with it, the residuals at every length that is tried and,
 /// OneUnit, one certificate; in a plane mesh the factor outweighs the rest.
 ///
 /// A body that nothing but contact holds has a singular K. J is regular where enough pairs touch or push

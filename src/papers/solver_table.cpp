@@ -36,7 +36,7 @@ Solver member(const char* name, const char* summary,
 }
 
 /// What no method for the weights of the surrogate dual promises but the one that ends by itself.
-// Two lists of traits that several members share. `Several`, more than one closed pair, is hard
+// Two lists of traits: the first is shared by several members, the second is that of one. `Several`, more than one closed pair, is hard
 // only for the rule that jumps from vertex to vertex.
 const std::vector<Trait> all_but_several = {
     Trait::Ordinary,   Trait::Asymmetric,     Trait::Dependent, Trait::Infeasible,
