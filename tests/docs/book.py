@@ -138,7 +138,7 @@ class Texts(unittest.TestCase):
 
     def test_no_link_within_a_link(self):
         said = self.html("[see (A 1), *figure 1.1* and `solve_all()`](../../README.md)", "chapter-05")
-        self.assertEqual(said, '<p><a href="use.html">see (A 1), <em>figure 1.1</em> and <code>solve_all()</code></a></p>')
+        self.assertEqual(said, '<p><a href="use.html">see (A\u00a01), <em>figure 1.1</em> and <code>solve_all()</code></a></p>')
 
     def test_boxes(self):
         said = self.html("Text.\n\n> **Misprint.** It says $a$.")

@@ -127,6 +127,7 @@ class Inline:
         text = re.sub(r"(?<![\w\0-])-(?=\0\d)", "−", text)
         text = re.sub(r'"([^"\s][^"]*)"', r"“\1”", text)
         text = re.sub(r"(?<=\w)'(?=\w)|(?<=s)'(?=\s)", "’", text)
+        text = re.sub(r"(?<=\([A-Z]) (?=\d)", "\u00a0", text)    # (A 12)
         return UNIT.sub("\u00a0", text)
 
     @staticmethod

@@ -10,7 +10,7 @@ import cxx
 from inline import LINK, Inline, anchor_of
 from tex import escaped
 
-EQUATION = re.compile(r"(?<![\w)\0])\((?:([A-Z]) )?(\d{1,2}|[a-z])\)(?!\w)")
+EQUATION = re.compile(r"(?<![\w)\0])\((?:([A-Z])[ \u00a0])?(\d{1,2}|[a-z])\)(?!\w)")
 FIGURE = re.compile(r"\b((?:[Ff]igures? |(?<=\d and )|(?<=\d, )|(?<=\d–)))(\d{1,2}\.\d+)\b(?!\.\d)")
 PLACE = re.compile(r"\b([Cc]hapter|[Ee]xercise)(s?[ \u00a0])"
                    r"(\d{1,2}(?:\.\d+)?(?:(?:, | and |, and | or |–| to )\d{1,2}(?:\.\d+)?)*)\b(?!\.\d)")
@@ -74,7 +74,7 @@ class References:
         found = self.book.find_equation(self.page, m[2], m[1])
         if not found:
             if (self.in_book or m[1]) and not m[2].isalpha():
-                self.book.complain(self.book.path.get(self.page, self.page), "no equation %s" % m[0])
+                self.book.complain(self.book.path.get(self.page, self.page), "no equation %s" % m[0].replace("\u00a0", " "))
             return m[0]
         href = self.place(found[0], "eq-" + m[2])
         self.preview(href, lambda: self.of_equation(found, m[2]))
