@@ -75,14 +75,14 @@ class Check:
             raise RuntimeError("the check itself failed: " + json.dumps(got)[:300])
         return json.loads(got["result"].get("value") or "null")
 
-    def screen(self, tab, width, scheme):
-        self.browser.call("Emulation.setDeviceMetricsOverride", tab.session, width=width, height=800, deviceScaleFactor=1, mobile=width < 600)
+    def screen(self, tab, width, scheme, high=800):
+        self.browser.call("Emulation.setDeviceMetricsOverride", tab.session, width=width, height=high, deviceScaleFactor=1, mobile=width < 600)
         self.browser.call("Emulation.setEmulatedMedia", tab.session, features=[{"name": "prefers-color-scheme", "value": scheme}])
 
     def size(self, tab, width, name, scheme, state=""):
-        self.screen(tab, width, scheme)
-        box = self.evaluate(tab, "new Promise(r => setTimeout(r, 300)).then(() => { const b = %s.getBoundingClientRect(); "
-                            "return JSON.stringify([b.left + scrollX, b.top + scrollY, b.width, b.height]); })" % probes.LIVE.replace("NAME", name))
+        for high in (800, None):    # the second time as high as the figure, so that what stays on the screen is where it belongs
+            self.screen(tab, width, scheme, high or int(box[3]) + 200)
+            box = self.evaluate(tab, probes.BOX.replace("NAME", name))
         wide = self.evaluate(tab, probes.WIDE)
         if wide["page"] or wide["parts"]:
             self.fault(name, "wider than %d pixels: %s" % (width, ", ".join(wide["parts"][:4]) or "the page"))

@@ -6,7 +6,15 @@ import os
 PART = 1e-6    # of a number, or of an axis, by which two machines may differ
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 
-LIVE = "document.querySelector('div.live[data-figure=NAME]')"
+# Where a figure is on the page, when it is at the begin of the screen.
+BOX = r"""(async () => {
+  const live = document.querySelector('div.live[data-figure=NAME]');
+  live.style.scrollMarginTop = '100px';
+  live.scrollIntoView();
+  await new Promise(r => setTimeout(r, 300));
+  const b = live.getBoundingClientRect();
+  return JSON.stringify([b.left + scrollX, b.top + scrollY, b.width, b.height]);
+})()"""
 
 # Waits until a figure that is nearly reached is there; whether its controls have labels, and since when the engine is there.
 MOUNT = r"""(async () => {
