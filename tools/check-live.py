@@ -25,7 +25,6 @@ import live_probes as probes
 from browser import Browser, Tab, chromium
 
 ENGINE = 1000000    # bytes of the engine, packed by gzip, that a reader may have to load
-PART = 1e-6         # of a number, or of an axis, by which two machines may differ
 
 
 class Check:
@@ -42,7 +41,7 @@ class Check:
         out = self.native.stdout
         self.native.stdin.write(words.encode() + b"\n")
         self.native.stdin.flush()
-        answer = json.loads(out.readline())
+        answer = probes.in_letters(json.loads(out.readline()))
         return answer, [array.array("d", out.read(8 * int(size))) for size in out.readline().split()]
 
     def fault(self, name, what):
@@ -57,17 +56,17 @@ class Check:
         shown = {n["name"]: n for n in answer.get("numbers", [])}
         for n in want.get("numbers", []):
             a, b = shown[n["name"]]["value"], n["value"]
-            if not n["varies"] and a != b and (a is None or b is None or abs(a - b) > PART * abs(b)):
+            if not n["varies"] and a != b and (a is None or b is None or abs(a - b) > probes.PART * abs(b)):
                 self.fault(name, "'%s': %s is %s, expected %s" % (got["words"], n["name"], a, b))
         drawn = [array.array("d", base64.b64decode(packed)) for packed in got["arrays"]]
-        if json.dumps(want.get("panels")) != json.dumps(answer.get("panels")) or list(map(len, drawn)) != list(map(len, arrays)):
+        if not probes.same_panels(want.get("panels", []), answer.get("panels", [])) or list(map(len, drawn)) != list(map(len, arrays)):
             self.fault(name, "'%s' draws other panels or layers" % got["words"])
             return
         for panel in want.get("panels", []):
             for layer in panel["layers"]:
                 off = 0 if layer["varies"] else max(probes.difference(panel, layer, key, drawn, arrays) for key in ("x", "y", "value") if key in layer)
                 self.drawn += 1
-                if off > PART:
+                if off > probes.PART:
                     self.fault(name, "'%s': '%s' of '%s' differs by %.1e of the axis" % (got["words"], layer["label"] or layer["look"], panel["title"], off))
 
     def evaluate(self, tab, script, events=None):
@@ -76,14 +75,14 @@ class Check:
             raise RuntimeError("the check itself failed: " + json.dumps(got)[:300])
         return json.loads(got["result"].get("value") or "null")
 
-    def screen(self, tab, width, scheme):
-        self.browser.call("Emulation.setDeviceMetricsOverride", tab.session, width=width, height=800, deviceScaleFactor=1, mobile=width < 600)
+    def screen(self, tab, width, scheme, high=800):
+        self.browser.call("Emulation.setDeviceMetricsOverride", tab.session, width=width, height=high, deviceScaleFactor=1, mobile=width < 600)
         self.browser.call("Emulation.setEmulatedMedia", tab.session, features=[{"name": "prefers-color-scheme", "value": scheme}])
 
     def size(self, tab, width, name, scheme, state=""):
-        self.screen(tab, width, scheme)
-        box = self.evaluate(tab, "new Promise(r => setTimeout(r, 300)).then(() => { const b = %s.getBoundingClientRect(); "
-                            "return JSON.stringify([b.left + scrollX, b.top + scrollY, b.width, b.height]); })" % probes.LIVE.replace("NAME", name))
+        for high in (800, None):    # the second time as high as the figure, so that what stays on the screen is where it belongs
+            self.screen(tab, width, scheme, high or int(box[3]) + 200)
+            box = self.evaluate(tab, probes.BOX.replace("NAME", name))
         wide = self.evaluate(tab, probes.WIDE)
         if wide["page"] or wide["parts"]:
             self.fault(name, "wider than %d pixels: %s" % (width, ", ".join(wide["parts"][:4]) or "the page"))
@@ -125,7 +124,7 @@ class Check:
             tab = Tab(self.browser, self.folder)
             self.screen(tab, width, scheme)
             got = json.loads(tab.visit(page, probes.COMES.replace("NAME", name).replace("HOW", how)))
-            if how == "near" and not got["early"] and (got["at"] is None or got["at"] <= 0):
+            if how == "near" and not got["first"] and not got["early"] and (got["at"] is None or got["at"] <= 0):
                 self.fault(name, "100 pixels below a screen of %d it is not there before it is seen: %s" % (width, got))
             if not got["early"] and got["then"] is None:
                 self.fault(name, "does not come, %s at %d: %s" % (how, width, got))

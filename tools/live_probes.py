@@ -3,9 +3,18 @@ import glob
 import math
 import os
 
+PART = 1e-6    # of a number, or of an axis, by which two machines may differ
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 
-LIVE = "document.querySelector('div.live[data-figure=NAME]')"
+# Where a figure is on the page, when it is at the begin of the screen.
+BOX = r"""(async () => {
+  const live = document.querySelector('div.live[data-figure=NAME]');
+  live.style.scrollMarginTop = '100px';
+  live.scrollIntoView();
+  await new Promise(r => setTimeout(r, 300));
+  const b = live.getBoundingClientRect();
+  return JSON.stringify([b.left + scrollX, b.top + scrollY, b.width, b.height]);
+})()"""
 
 # Waits until a figure that is nearly reached is there; whether its controls have labels, and since when the engine is there.
 MOUNT = r"""(async () => {
@@ -96,12 +105,12 @@ COMES = r"""(async () => {
     requestAnimationFrame(() => setTimeout(() => { then ??= performance.now() - begin; }));
   });
   const jump = 'HOW' === 'jump', top = live.getBoundingClientRect().top + scrollY;
-  const early = !!live.querySelector('form');
+  const early = !!live.querySelector('form'), first = top < innerHeight + 300;    // on the first screen, or near it
   scrollTo(0, jump ? top - 80 : top - innerHeight - 100);
   for (let i = 0; i < 500 && then === null && !early; ++i) await wait(20);
   for (let y = scrollY; y < root.scrollHeight - innerHeight && y < top + innerHeight + 900; y += 120) { scrollTo(0, y); await wait(16); }
   await wait(100);
-  return JSON.stringify({ early, at, then, moved, grown: root.scrollHeight - high });
+  return JSON.stringify({ early, first, at, then, moved, grown: root.scrollHeight - high });
 })()"""
 
 STAYS = r"""(async () => {
@@ -129,6 +138,23 @@ def requests_of(name, about):
             if ":" in line and not line.startswith("#"):
                 ends.append(dict(word.split("=") for word in words))
     return steps, ends
+
+
+def in_letters(value):
+    """The engine writes texts byte by byte."""
+    if isinstance(value, str):
+        return value.encode("latin-1").decode()
+    if isinstance(value, list):
+        return [in_letters(v) for v in value]
+    return {k: in_letters(v) for k, v in value.items()} if isinstance(value, dict) else value
+
+
+def same_panels(one, other):
+    """Whether the same layers lie on the same axes."""
+    def apart(panels):
+        return [{**panel, "window": len(panel["window"])} for panel in panels], [end for panel in panels for end in panel["window"]]
+    (words, ends), (others, other_ends) = apart(one), apart(other)
+    return words == others and all(math.isclose(a, b, rel_tol=PART) for a, b in zip(ends, other_ends))
 
 
 def difference(panel, layer, key, drawn, arrays):

@@ -2,8 +2,8 @@
 import html
 import re
 
+from blocks import Text
 from inline import Inline
-from pieces import folded, live
 from references import templates
 from tex import escaped
 
@@ -138,15 +138,27 @@ def shown_by(book, name):
     return Inline(book, "ways" if m else name).html(m[1] if m else told[1] if told else "", False)
 
 
+def live_figure(book, use):
+    """The live figure that the first text names, with the printed one, as they stand in its chapter."""
+    mark = re.search(r"^<!-- live \w+ -->$", use, re.M)
+    for name in book.chapters if mark else ():
+        m = re.search(re.escape(mark[0]) + r"\n+!\[.*$", book.text[name], re.M)
+        if m:
+            return Text(book, name).blocks(m[0].split("\n"))
+    return ""
+
+
 def write_cover(book, text):
     """The first page: what this is, its picture, and the chapters by parts."""
     body, use = "", book.text.get("use", "")
-    picture = re.search(r"^(?:<!-- live (\w+) -->\n+)?!\[(.*)\]\((\S+)\)", use, re.M)
+    picture = re.search(r"^!\[(.*)\]\((\S+)\)", use, re.M)
     lead = re.search(r"\n\n(?!!|<|#|\|)(\w.*?)\n\n", use, re.S)
-    if picture:
-        printed = '<figure class="picture title-picture">%s<figcaption>%s</figcaption></figure>' % (
-            book.picture("use", picture[3], html.escape(picture[2]))[0], text.html(picture[2], False))
-        body += live(text, picture[1]) + folded(book, "The title picture", printed) if picture[1] else printed
+    first = live_figure(book, use)
+    if first:
+        body += first
+    elif picture:
+        body += '<figure class="picture title-picture">%s<figcaption>%s</figcaption></figure>' % (
+            book.picture("use", picture[2], html.escape(picture[1]))[0], text.html(picture[1], False))
     if lead:
         body += '<p class="lead">%s</p>' % text.html(" ".join(lead[1].split()), False)
     for title, _ in book.parts:

@@ -52,13 +52,8 @@ def figure(text, words, url, printed=False):
         wide, attribute("id", "fig-" + m[1].replace(".", "-") if m else ""), caption, img)
     if not printed:
         return whole
-    return folded(text.book, words.split(":")[0], whole)
-
-
-def folded(book, words, printed):
-    """A printed figure below the one that computes."""
     return '<details class="live-printed"%s><summary>%s, as printed</summary>%s</details>' % (
-        "" if book.engine else " open", words, printed)
+        "" if text.book.engine else " open", words.split(":")[0], whole)
 
 
 def live(text, name):

@@ -107,17 +107,16 @@ Answer pay(const Request& now) {
 }  // namespace
 
 Figure work_precision() {
-  return {
-      "work_precision",
-      "What an accuracy costs",
-      {choice("element", "element", "q4_incompatible", elements),
-       choice("cells", "cells on 1.3 half-widths, of q8 half as many", "8", {"4", "8", "16", "32"}),
-       choice("gaps", "gaps by", "mortar",
-              {"mortar", "mortar_nodes_meet", "node_to_segment", "two_gauss_points"}),
-       choice("solver", "solver", "primal_dual_active_set",
-              {"primal_dual_active_set", "quasi_active_set", "projected_gauss_seidel"}),
-       with_own_axes(choice("price", "price in", "unknowns", {"unknowns", "operations"}))},
-      pay};
+  return {"work_precision",
+          "What an accuracy costs",
+          {choice("element", "element", "q4_incompatible", elements),
+           choice("cells", "cells, of q8 half as many", "8", {"4", "8", "16", "32"}),
+           choice("gaps", "gaps by", "mortar",
+                  {"mortar", "mortar_nodes_meet", "node_to_segment", "two_gauss_points"}),
+           choice("solver", "solver", "primal_dual_active_set",
+                  {"primal_dual_active_set", "quasi_active_set", "projected_gauss_seidel"}),
+           with_own_axes(choice("price", "price in", "unknowns", {"unknowns", "operations"}))},
+          pay};
 }
 
 }  // namespace live
