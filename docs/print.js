@@ -7,8 +7,8 @@
 // `ready` becomes true when pictures and faces are there.
 // faceless(letters) returns those that no face of this machine has.
 // number(pages) writes {place: page} behind the entries of the contents and of the index.
-// misfits() lists what is not drawn, and what is wider than the paper.
-// told() says what must be found in the print: sections, headings with height and width in points, and formulas.
+// misfits() lists what is not drawn, and what is wider than the paper or its column.
+// told() says what must be found in the print: headings with level, height and width in points, and formulas.
 "use strict";
 const TALLEST = 380;        // pixels of a picture
 let ready = false;
@@ -104,6 +104,7 @@ function exercise_of(page, { title, text }, hints) {
     if (/^Edit /.test(command.nextElementSibling?.textContent ?? "")) command.nextElementSibling.remove();    // chapter "ways" says it
     command.remove();
   }
+  for (const heading of text.querySelectorAll("h2, h3")) heading.replaceWith(element("h4", {}, ...heading.childNodes));
   const line = text.querySelector("p"), folded = [...text.querySelectorAll("details")];
   line.append(" · ", element("code", {}, "make ex" + page.name.replace("exercise-", "").split("-").map(Number).join(".")));
   if (folded.length) {
@@ -235,8 +236,10 @@ function misfits() {
   for (const error of document.querySelectorAll("merror")) wrong.push("formula not drawn: " + said(error));
   for (const section of document.querySelectorAll("section")) {
     const right = section.getBoundingClientRect().right + 1;
-    for (const e of section.querySelectorAll("p, li, img, pre, table, blockquote, svg, math"))
+    for (const e of section.querySelectorAll("p, li, img, pre, table, blockquote, svg, math, .nb"))
       if (e.getBoundingClientRect().right > right) wrong.push(`${section.id}: wider than the paper: ${e.tagName} ${said(e)}`);
+    for (const e of section.querySelectorAll(".scroll, .exercises > *, #hints > *"))
+      if (e.scrollWidth > e.clientWidth + 1) wrong.push(`${section.id}: wider than its column: ${said(e)}`);
   }
   return wrong;
 }
@@ -244,8 +247,7 @@ function misfits() {
 function told() {
   const points = (pixels) => pixels * 72 / 96;
   return {
-    sections: [...document.querySelectorAll("section")].map((s) => s.id),
-    headings: [...document.querySelectorAll("h1, h2, h3, h4")].map((h) => [h.textContent.trim(), points(h.offsetHeight), points(h.offsetWidth)]),
+    headings: [...document.querySelectorAll("h1, h2, h3, h4")].map((h) => [h.textContent.trim(), h.tagName, points(h.offsetHeight), points(h.offsetWidth)]),
     formulas: [...document.querySelectorAll("math")].map((m) => m.textContent),
   };
 }
