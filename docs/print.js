@@ -75,7 +75,10 @@ function text_of(page, { base, pictures }) {
   const title = number + (text.querySelector("header.title h1") ?? from.querySelector("title")).textContent.trim();
   for (const e of text.querySelectorAll("header.title, nav.turn, .self, .live, .live-printed > summary, script, p:empty")) e.remove();
   for (const e of text.querySelectorAll("[style]")) e.removeAttribute("style");
+  for (const e of text.querySelectorAll(".hoist")) e.append(...e.querySelectorAll(":scope > .note"));    // there is no margin beside the text
   for (const e of text.querySelectorAll(".live-printed, .hoist")) e.replaceWith(...e.childNodes);
+  for (const e of text.querySelectorAll(":is(.eq, .code, .table)"))
+    if (/[:,]\s*$/.test(e.previousElementSibling?.textContent ?? "")) e.previousElementSibling.classList.add("introduces");
   for (const image of text.querySelectorAll("img")) {
     const picture = pictures[image.getAttribute("src")];
     if (picture) image.replaceWith(drawing(picture, image.alt));
@@ -148,8 +151,15 @@ function add_page(link, to, told) {
   link.after(element("span", { class: "at" }, "\u00a0p.\u2009", element("span", { class: "page", "data-place": to }, "000")));
 }
 
+/// Above the pages of a section: where its programs lie, and its heading.
+function running_head(section) {
+  const box = (side, words) => `@${side} { content: ${JSON.stringify(words)}; font: 8pt Pagella, serif; color: #555; }`;
+  return `section#${section.id} { page: ${section.id}; } @page ${section.id} { ` +
+      `${box("top-left", section.dataset.folder)} ${box("top-right", section.querySelector("h1").textContent.trim())} }`;
+}
+
 function join(book) {
-  const hints = element("section", { id: "hints" }, element("h1", {}, "Hints"));
+  const hints = element("section", { id: "hints", "data-folder": "" }, element("h1", {}, "Hints"));
   const sections = [];
   let title;
   for (const page of book.pages) {
@@ -179,14 +189,14 @@ function join(book) {
       sections.at(-1).append(element("h2", { id: page.name }, name), ...text.childNodes);
       continue;
     }
-    const section = element("section", { id: page.name, "data-part": part });
+    const folder = /source-(ch\d\d_[a-z_]+)-/.exec(page.name.startsWith("chapter-") ? text.innerHTML : "");
+    const section = element("section", { id: page.name, "data-part": part, "data-folder": folder ? "chapters/" + folder[1] : "" });
     section.append(element("h1", {}, page.name === "use" ? "The book" : name), ...text.childNodes);
     sections.push(section);
   }
   if (hints.children.length > 1) sections.push(hints);
   document.body.append(title, contents_of(sections), ...sections);
-  document.head.append(element("style", {}, sections.map((s) => `section#${s.id} { page: ${s.id}; } @page ${s.id} { @top-right { content: ${
-      JSON.stringify(s.querySelector("h1").textContent.trim())}; font: 8pt Pagella, serif; color: #555; } }`).join("\n")));
+  document.head.append(element("style", {}, sections.map(running_head).join("\n")));
 
   const pages = new Set([...sections.map((s) => s.id), ...book.pages.map((p) => p.name).filter((n) => n !== "index")]);
   const places = new Map();
