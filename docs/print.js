@@ -11,6 +11,7 @@
 // told() says what must be found in the print: headings with level, height and width in points, and formulas.
 "use strict";
 const TALLEST = 380;        // pixels of a picture
+const SAID = /^Edit attempt.cpp only; exercise.hpp (says what goes in and comes out|has the questions).$/;    // in nearly every exercise
 let ready = false;
 
 function element(tag, attributes = {}, ...children) {
@@ -102,14 +103,14 @@ function title_page(cover, book) {
 
 /// An exercise in the section of its chapter: its command and its hints stand in the line of its kind and time.
 function exercise_of(page, { title, text }, hints) {
-  for (const command of text.querySelectorAll("figure.code")) {
-    if (!/^make ex[\d.]+\s/.test(command.textContent.trim())) continue;
-    if (/^Edit /.test(command.nextElementSibling?.textContent ?? "")) command.nextElementSibling.remove();    // chapter "ways" says it
-    command.remove();
-  }
-  for (const heading of text.querySelectorAll("h2, h3")) heading.replaceWith(element("h4", {}, ...heading.childNodes));
   const line = text.querySelector("p"), folded = [...text.querySelectorAll("details")];
   line.append(" · ", element("code", {}, "make ex" + page.name.replace("exercise-", "").split("-").map(Number).join(".")));
+  [...text.querySelectorAll("figure.code")].find((e) => /^make ex[\d.]+\s/.test(e.textContent.trim()))?.remove();
+  const edit = [...text.querySelectorAll("p")].find((e) => e.textContent.startsWith("Edit attempt.cpp only"));
+  const folder = /exercises-(ex\d+_\w+)-attempt/.exec(edit?.innerHTML ?? "");
+  if (folder) line.append(" · ", element("code", {}, "exercises/" + folder[1]));
+  if (edit && SAID.test(edit.textContent)) edit.remove();
+  for (const heading of text.querySelectorAll("h2, h3")) heading.replaceWith(element("h4", {}, ...heading.childNodes));
   if (folded.length) {
     const place = "hints-" + page.name;
     hints.append(element("h3", { id: place }, element("a", { href: page.name + ".html" }, title)));

@@ -31,7 +31,7 @@ page index Signorini '<p class="lead">A book.</p><a href="chapter-01.html">1</a>
 page use Book '<p>About it.</p><h2 id="commands">Commands</h2><p>make</p><h2 id="more">More</h2><p>left out</p>'
 page chapter-01 "1 One" "<p>The gap <math><msub><mi>g</mi><mn>0</mn></msub></math>, <a href=\"chapter-02.html#late\">later</a>, <a href=\"use.html#more\">more</a>, \
 <a href=\"gone_8hpp.html\">a header</a>.</p><p>$long</p><figure class=\"picture\"><img src=\"figures/hatch.svg\" alt=\"hatch\"></figure>"
-page exercise-01-1 "Exercise 1.1" '<p>Do it.</p><details><summary>Hint 1</summary><p>Think.</p></details>'
+page exercise-01-1 "Exercise 1.1" '<p>Do it.</p><figure class="code"><pre>make ex1.1 # test</pre></figure><p>Edit <a href="source-ch01_one-exercises-ex1_do-attempt-cpp.html">attempt.cpp</a> only; exercise.hpp has the questions.</p><p>Edit no more.</p><details><summary>Hint 1</summary><p>Think.</p></details>'
 page chapter-02 "2 Two" "$(lines Before 36)$tall$(lines After 40)<h2 id=\"late\">Late</h2><div class=\"eq\"><math display=\"block\"><mi>ζ</mi></math></div>"
 said=$($print book book.pdf 2>&1) || { echo "the clean book is not printed: $said"; exit 1; }
 case $said in # title, contents, about it, chapter 1, three sheets of chapter 2, hints
@@ -45,7 +45,7 @@ on 1 | grep -q "MIT License" || wrong "the title page has no licence: $(on 1)"
 on 2 | grep -q 'Late 7' || wrong "the contents do not have Late on sheet 7: $(on 2)"
 on 7 | grep -q '^ *Late' || wrong "Late is not on sheet 7: $(on 7)"
 on 4 | grep -q 'later p. 7, more, a header' || wrong "a link to sheet 7 does not say so: $(on 4)"
-on 4 | grep -q 'make ex1.1 · hints p. 8' || wrong "an exercise does not say its command and where its hints are: $(on 4)"
+on 4 | tr '\n' ' ' | grep -q 'Do it. · make ex1.1 · exercises/ex1_do · hints p. 8 Edit no more' || wrong "an exercise does not say its command and where its hints are: $(on 4)"
 on 4 | grep -q '[a-z].*‐$' || wrong "no word is broken: $(on 4)"
 on 4 | grep -q ' complementarity displacements ' || wrong "no whole word can be searched: $(on 4)"
 on 5 | grep -q After || wrong "no text goes before a figure that does not fit: $(on 5)"
