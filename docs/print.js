@@ -7,10 +7,11 @@
 // `ready` becomes true when pictures and faces are there.
 // faceless(letters) returns those that no face of this machine has.
 // number(pages) writes {place: page} behind the entries of the contents and of the index.
-// misfits() lists what is not drawn, and what is wider than the paper.
-// told() says what must be found in the print: sections, headings with height and width in points, and formulas.
+// misfits() lists what is not drawn, and what is wider than the paper or its column.
+// told() says what must be found in the print: headings with level, height and width in points, and formulas.
 "use strict";
 const TALLEST = 380;        // pixels of a picture
+const SAID = /^Edit attempt.cpp only; exercise.hpp (says what goes in and comes out|has the questions).$/;    // in nearly every exercise
 let ready = false;
 
 function element(tag, attributes = {}, ...children) {
@@ -75,7 +76,10 @@ function text_of(page, { base, pictures }) {
   const title = number + (text.querySelector("header.title h1") ?? from.querySelector("title")).textContent.trim();
   for (const e of text.querySelectorAll("header.title, nav.turn, .self, .live, .live-printed > summary, script, p:empty")) e.remove();
   for (const e of text.querySelectorAll("[style]")) e.removeAttribute("style");
+  for (const e of text.querySelectorAll(".hoist")) e.append(...e.querySelectorAll(":scope > .note"));    // there is no margin beside the text
   for (const e of text.querySelectorAll(".live-printed, .hoist")) e.replaceWith(...e.childNodes);
+  for (const e of text.querySelectorAll(":is(.eq, .code, .table)"))
+    if (/[:,]\s*$/.test(e.previousElementSibling?.textContent ?? "")) e.previousElementSibling.classList.add("introduces");
   for (const image of text.querySelectorAll("img")) {
     const picture = pictures[image.getAttribute("src")];
     if (picture) image.replaceWith(drawing(picture, image.alt));
@@ -99,13 +103,14 @@ function title_page(cover, book) {
 
 /// An exercise in the section of its chapter: its command and its hints stand in the line of its kind and time.
 function exercise_of(page, { title, text }, hints) {
-  for (const command of text.querySelectorAll("figure.code")) {
-    if (!/^make ex[\d.]+\s/.test(command.textContent.trim())) continue;
-    if (/^Edit /.test(command.nextElementSibling?.textContent ?? "")) command.nextElementSibling.remove();    // chapter "ways" says it
-    command.remove();
-  }
   const line = text.querySelector("p"), folded = [...text.querySelectorAll("details")];
   line.append(" · ", element("code", {}, "make ex" + page.name.replace("exercise-", "").split("-").map(Number).join(".")));
+  [...text.querySelectorAll("figure.code")].find((e) => /^make ex[\d.]+\s/.test(e.textContent.trim()))?.remove();
+  const edit = [...text.querySelectorAll("p")].find((e) => e.textContent.startsWith("Edit attempt.cpp only"));
+  const folder = /exercises-(ex\d+_\w+)-attempt/.exec(edit?.innerHTML ?? "");
+  if (folder) line.append(" · ", element("code", {}, "exercises/" + folder[1]));
+  if (edit && SAID.test(edit.textContent)) edit.remove();
+  for (const heading of text.querySelectorAll("h2, h3")) heading.replaceWith(element("h4", {}, ...heading.childNodes));
   if (folded.length) {
     const place = "hints-" + page.name;
     hints.append(element("h3", { id: place }, element("a", { href: page.name + ".html" }, title)));
@@ -147,8 +152,15 @@ function add_page(link, to, told) {
   link.after(element("span", { class: "at" }, "\u00a0p.\u2009", element("span", { class: "page", "data-place": to }, "000")));
 }
 
+/// Above the pages of a section: where its programs lie, and its heading.
+function running_head(section) {
+  const box = (side, words) => `@${side} { content: ${JSON.stringify(words)}; font: 8pt Pagella, serif; color: #555; }`;
+  return `section#${section.id} { page: ${section.id}; } @page ${section.id} { ` +
+      `${box("top-left", section.dataset.folder)} ${box("top-right", section.querySelector("h1").textContent.trim())} }`;
+}
+
 function join(book) {
-  const hints = element("section", { id: "hints" }, element("h1", {}, "Hints"));
+  const hints = element("section", { id: "hints", "data-folder": "" }, element("h1", {}, "Hints"));
   const sections = [];
   let title;
   for (const page of book.pages) {
@@ -178,14 +190,14 @@ function join(book) {
       sections.at(-1).append(element("h2", { id: page.name }, name), ...text.childNodes);
       continue;
     }
-    const section = element("section", { id: page.name, "data-part": part });
+    const folder = /source-(ch\d\d_[a-z_]+)-/.exec(page.name.startsWith("chapter-") ? text.innerHTML : "");
+    const section = element("section", { id: page.name, "data-part": part, "data-folder": folder ? "chapters/" + folder[1] : "" });
     section.append(element("h1", {}, page.name === "use" ? "The book" : name), ...text.childNodes);
     sections.push(section);
   }
   if (hints.children.length > 1) sections.push(hints);
   document.body.append(title, contents_of(sections), ...sections);
-  document.head.append(element("style", {}, sections.map((s) => `section#${s.id} { page: ${s.id}; } @page ${s.id} { @top-right { content: ${
-      JSON.stringify(s.querySelector("h1").textContent.trim())}; font: 8pt Pagella, serif; color: #555; } }`).join("\n")));
+  document.head.append(element("style", {}, sections.map(running_head).join("\n")));
 
   const pages = new Set([...sections.map((s) => s.id), ...book.pages.map((p) => p.name).filter((n) => n !== "index")]);
   const places = new Map();
@@ -235,8 +247,10 @@ function misfits() {
   for (const error of document.querySelectorAll("merror")) wrong.push("formula not drawn: " + said(error));
   for (const section of document.querySelectorAll("section")) {
     const right = section.getBoundingClientRect().right + 1;
-    for (const e of section.querySelectorAll("p, li, img, pre, table, blockquote, svg, math"))
+    for (const e of section.querySelectorAll("p, li, img, pre, table, blockquote, svg, math, .nb"))
       if (e.getBoundingClientRect().right > right) wrong.push(`${section.id}: wider than the paper: ${e.tagName} ${said(e)}`);
+    for (const e of section.querySelectorAll(".scroll, .exercises > *, #hints > *"))
+      if (e.scrollWidth > e.clientWidth + 1) wrong.push(`${section.id}: wider than its column: ${said(e)}`);
   }
   return wrong;
 }
@@ -244,8 +258,7 @@ function misfits() {
 function told() {
   const points = (pixels) => pixels * 72 / 96;
   return {
-    sections: [...document.querySelectorAll("section")].map((s) => s.id),
-    headings: [...document.querySelectorAll("h1, h2, h3, h4")].map((h) => [h.textContent.trim(), points(h.offsetHeight), points(h.offsetWidth)]),
+    headings: [...document.querySelectorAll("h1, h2, h3, h4")].map((h) => [h.textContent.trim(), h.tagName, points(h.offsetHeight), points(h.offsetWidth)]),
     formulas: [...document.querySelectorAll("math")].map((m) => m.textContent),
   };
 }

@@ -130,6 +130,8 @@ def printed(printer, book, target):
     printer.ask("hyphenate(%s)" % json.dumps(read(HYPHENS)))
     printer.ask("floats(%s)" % json.dumps(SHEET))
     wrong += printer.ask("misfits()")
+    if wrong:
+        return "", wrong
     first = {}
     for _ in range(PASSES):    # numbers may move what they number
         data = printer.pdf()
@@ -145,7 +147,7 @@ def printed(printer, book, target):
     wrong += ["no page for " + place for place in asked if place not in last.places]
     wrong += ["page %d: bitmaps, %d of them" % item for item in last.bitmaps.items()]
     told = printer.ask("told()")
-    wrong += ill_set(last, sheets(target, MARGINS), told) + unsearched(target, told["formulas"])
+    wrong += ill_set(last, sheets(target, MARGINS[::2]), told["headings"]) + unsearched(target, told["formulas"])
     return "%d pages, %d formulas, %d places, %.1f MB" % (len(last.pages), len(told["formulas"]), len(last.places), len(data) / 1e6), wrong
 
 

@@ -66,13 +66,11 @@ class Pdf:
 
 
 class Sheet:
-    """A page as it is seen, without its margins, of this number of points."""
+    """A page as it is seen, row by row, without what is in its upper and lower margin."""
 
-    def __init__(self, width, height, rows, margins):
-        scale = DOTS / 25.4
-        self.top, self.left = round(margins[0] * scale), round(margins[3] * scale)
-        self.rows, self.height = rows[self.top:height - round(margins[2] * scale)], height
-        self.right = width - round(margins[1] * scale)
+    def __init__(self, rows, margins):
+        upper, lower = (round(mm / 25.4 * DOTS) for mm in margins)
+        self.top, self.height, self.rows = upper, len(rows), rows[upper:len(rows) - lower]
 
     def white(self):
         """The share of the height of the text that is white in one piece."""
@@ -82,10 +80,6 @@ class Sheet:
             longest = max(longest, blank)
         return longest / len(self.rows)
 
-    def cut(self):
-        """Is something beside the text?"""
-        return any(min(row[:self.left - 1]) < 250 or min(row[self.right + 1:]) < 250 for row in self.rows)
-
     def below(self, left, bottom, width):
         """Is something below a point of the page, in points from its lower left corner, in a column of that width?"""
         first, last, row = (round(x * DOTS / 72) for x in (left, left + width, bottom))
@@ -93,29 +87,29 @@ class Sheet:
 
 
 def sheets(file, margins):
-    """The pages of a file as they are seen; margins in mm from above in the order of clocks."""
+    """The pages of a file as they are seen, between an upper and a lower margin in mm."""
     drawn = subprocess.run(["pdftoppm", "-r", str(DOTS), "-gray", file], stdout=subprocess.PIPE, check=True).stdout
     seen, at = [], 0
     while at < len(drawn):
         head = re.compile(rb"P5\n(\d+) (\d+)\n255\n").match(drawn, at)
         width, height, at = int(head[1]), int(head[2]), head.end()
-        seen.append(Sheet(width, height, [drawn[at + row * width:at + (row + 1) * width] for row in range(height)], margins))
+        seen.append(Sheet([drawn[at + row * width:at + (row + 1) * width] for row in range(height)], margins))
         at += width * height
     return seen
 
 
-def ill_set(pdf, seen, told):
-    """What is wrong with the pages: white, ink in a margin, headings without text; told() of print.js says what is in the book."""
-    ends = {pdf.places[place] - 1 for place in told["sections"] if place in pdf.places} | {len(seen)}
-    wrong = ["page %d: %.0f %% of it are white" % (n, 100 * page.white())
-             for n, page in enumerate(seen, 1) if n not in ends and page.white() > MOST]
-    wrong += ["page %d: something is in its margin" % n for n, page in enumerate(seen, 1) if page.cut()]
-    if len(pdf.headings) != len(told["headings"]):
-        return wrong + ["the outline has %d of %d headings" % (len(pdf.headings), len(told["headings"]))]
-    for (page, left, top), (words, height, width) in zip(pdf.headings, told["headings"]):
+def ill_set(pdf, seen, headings):
+    """What is wrong with the pages: white, headings without text; headings as told() of print.js has them."""
+    if len(pdf.headings) != len(headings):
+        return ["the outline has %d of %d headings" % (len(pdf.headings), len(headings))]
+    ends, wrong = {len(seen)}, []
+    for (page, left, top), (words, level, height, width) in zip(pdf.headings, headings):
+        if level == "H1":
+            ends.add(page - 1)
         if not seen[page - 1].below(left, top - height, width):
             wrong.append("page %d: a heading at its foot: %s" % (page, words))
-    return wrong
+    return wrong + ["page %d: %.0f %% of it are white" % (n, 100 * page.white())
+                    for n, page in enumerate(seen, 1) if n not in ends and page.white() > MOST]
 
 
 def unsearched(file, formulas):
