@@ -70,12 +70,15 @@ text:                     ## put the committed numbers, tables and code into the
 	@perl tools/words.pl
 	@perl tools/course.pl
 	@perl tools/sheets.pl
+	@perl tools/mistakes.pl
 lint:                     ## check what needs no compiling: quotations, formulas, links, that faults fit the sources
 	@perl tools/weave.pl --check $(WOVEN)
 	@perl tools/equations.pl --check
 	@perl tools/words.pl --check
 	@perl tools/course.pl --check
 	@perl tools/sheets.pl --check
+	@perl tools/mistakes.pl --check
+	@perl tools/borrowed.pl .
 	@perl tools/evenings.pl --check
 	@perl tools/findings.pl --check
 	@perl tools/lint-md.pl $(TEXTS) chapters/equations.md chapters/words.md tests/reference/claims.md

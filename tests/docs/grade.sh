@@ -101,6 +101,25 @@ Gain dual_energy(const Eigen::MatrixXd&, const Eigen::VectorXd&, const Eigen::Ve
 }
 END
 
+# what is somebody else's work
+student calls ex3.1 borrowed 5 3 'calls signorini::best_step' << 'END'
+#include "exercise.hpp"
+namespace signorini {
+struct WeightLine { double b0, b1, c0, c1, c2; };
+double best_step(const WeightLine& line, double largest);
+}
+namespace ex3_1 {
+double best_step(const Line& l, double largest) { return signorini::best_step({l.b0, l.b1, l.c0, l.c1, l.c2}, largest); }
+}
+END
+step copies borrowed 5 3 'copies best_step() of src/papers/surrogate_dual.cpp' '#include <algorithm>' \
+    'const double up = line.b1 * line.c0 - line.b0 * line.c1; if (up <= 0) return 0;
+     const double turn = line.b1 * line.c1 - line.b0 * line.c2; return turn < 0 ? std::min(largest, -up / turn) : largest;'
+step includes borrowed 5 3 'includes chapters/ch03_simplex_updates/three_problems.hpp' \
+    '#include "../chapters/ch03_simplex_updates/three_problems.hpp"' \
+    'if (line.b1 * line.c0 - line.b0 * line.c1 <= 0) return 0; const double bend = line.b1 * line.c1 - line.b0 * line.c2;
+     if (bend >= 0) return largest; return std::min(largest, (line.b0 * line.c1 - line.b1 * line.c0) / bend);'
+
 # what is none of its business
 step forks forbidden 0 0 'a process' '#include <unistd.h>' 'while (fork() >= 0) {} return line.b0 * largest;'
 step shell forbidden 0 0 'a process' '#include <cstdlib>' 'return std::system("touch harmed") + line.b0 * largest;'

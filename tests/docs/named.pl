@@ -77,6 +77,18 @@ sub check {
         my ($rung) = slurp('docs/instructor.md') =~ /^\| \Q$exercise\E \| (\w+) \|/m;
         push @found, "$page: its kind is " . ($kind // 'not given') . ', the rung of docs/instructor.md ' . ($rung // 'missing') if ($kind // 0) ne ($rung // 1);
     }
+    my %rung = (read => 0, modify => 1, complete => 2, extend => 3);
+    for my $chapter (glob 'chapters/ch*/README.md') {    # easiest first
+        my ($folder, $last) = ($chapter =~ s/README\.md//r, 0);
+        my $text = slurp($chapter);
+        while ($text =~ /^\* [\d.]+ \[[^\]]*\]\((exercises\/[^)]*)\)(.*)/mg) {
+            my ($page, $says) = ($1, $2);
+            my ($kind, $minutes) = slurp("$folder$page") =~ /^\*\*Kind\.\*\* (\w+) · \*\*Time\.\*\* (\d+) minutes/m;
+            push @found, "$chapter: $page is '$kind, $minutes minutes'" if index($says, ", $kind, $minutes minutes:") != 0;
+            push @found, "$chapter: $page stands behind harder ones" if $rung{$kind} < $last;
+            $last = $rung{$kind};
+        }
+    }
     my $citation = slurp('CITATION.cff');
     my ($version) = slurp('CMakeLists.txt') =~ /project\(signorini VERSION ([\d.]+)/;
     push @found, "CITATION.cff has not the version $version" if $citation !~ /^version: \Q$version\E$/m;
@@ -118,6 +130,8 @@ fault('README.md', qr/make ch06/, 'make ch60', 'no target ch60');
 fault('docs/commands.md', qr/setup\.sh build/, 'setup.sh bild', 'no group bild');
 fault('docs/program.md', qr/signorini plan/, 'signorini pan', 'no command pan');
 fault('docs/instructor.md', qr/^\| 4\.2 \| \w+/m, '| 4.2 | sleep', 'its kind is complete') if -f 'docs/instructor.md';
+fault('chapters/ch08_complementarity/README.md', qr/read, 45 minutes:/, 'read, 5 minutes:', "is 'read, 45 minutes'");
+fault('chapters/ch08_complementarity/exercises/ex3_reading_residuals/README.md', qr/Kind\.\*\* read/, 'Kind.** extend', 'stands behind harder ones');
 fault('CITATION.cff', qr/^version: .*/m, 'version: 9.9.9', 'has not the version');
 fault('Containerfile', qr/^RUN .*test$/m, 'RUN make test', 'Containerfile runs');
 fault('Containerfile', qr/^RUN/m, 'run', 'Containerfile: the order');

@@ -50,3 +50,8 @@ TEST_CASE("ex5.3 what cannot change is refused", "[ex5.3]") {
   CHECK_THROWS_AS(exchange(table, 1), std::invalid_argument);
   CHECK(table.q == Vector3d(-2, -1, -3));
 }
+
+TEST_CASE("ex5.3 a pair that just touches is on the right side", "[ex5.3]") {
+  Table table{Matrix2d::Identity(), Eigen::Vector2d(0, 1), {false, true}};
+  CHECK(exchange_wrong_pairs(table) == std::vector<Index>{});
+}

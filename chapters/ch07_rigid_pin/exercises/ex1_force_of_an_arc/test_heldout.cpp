@@ -68,3 +68,10 @@ TEST_CASE("ex7.1 held out: input that is no arc is refused", "[ex7.1]") {
   CHECK_THROWS_AS(arc_force(angle, one, 0, 1), std::invalid_argument);
   CHECK_THROWS_AS(arc_force(angle, one, 1, -1), std::invalid_argument);
 }
+
+TEST_CASE("ex7.1 held out: a narrow arc is as exact as its pieces", "[ex7.1]") {
+  const Vector2d whole = arc_force(Vector2d(0.3, 0.319), Vector2d(1, -1), 1, 1);
+  const Vector2d pieces =
+      arc_force(VectorXd::LinSpaced(20, 0.3, 0.319), VectorXd::LinSpaced(20, 1, -1), 1, 1);
+  CHECK(equal_within(whole, pieces, 1e-15));
+}

@@ -24,3 +24,9 @@ TEST_CASE("ex7.2 the angle solves the load relation", "[ex7.2]") {
     CHECK(found.evaluations <= 200);
   }
 }
+
+// -2 r / pi is where the relation ends.
+TEST_CASE("ex7.2 a thick pin touches all round", "[ex7.2]") {
+  CHECK(half_contact_angle(-0.7, 1).angle == Approx(std::acos(-1.0)).epsilon(1e-15));
+  CHECK(half_contact_angle(-0.3, 0.5).angle < std::acos(-1.0));
+}

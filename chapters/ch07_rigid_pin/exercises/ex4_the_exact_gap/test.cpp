@@ -47,4 +47,5 @@ TEST_CASE("ex7.4 a tiny clearance keeps its digits", "[ex7.4]") {
 
 TEST_CASE("ex7.4 what is no fit is refused", "[ex7.4]") {
   CHECK_THROWS_AS(gap_at({5, 0.2, 5}, 1), std::invalid_argument);
+  CHECK_THROWS_AS(gap_at({5, 0.2, -5}, 1), std::invalid_argument);
 }

@@ -42,6 +42,9 @@ TEST_CASE("ex11.2 the scene is a wedge above a plate", "[ex11.2]") {
     const Eigen::RowVector2d at = scene.bodies[0].mesh.nodes.row(node);
     CHECK(at.y() == Approx(0.01 * at.x()).margin(1e-15));
   }
+  const signorini::Mesh& above = scene.bodies[0].mesh;
+  for (const Index node : signorini::boundary_nodes(above, "base"))
+    CHECK(above.nodes(node, 1) == Approx(50).epsilon(1e-14));  // level
 }
 
 TEST_CASE("ex11.2 contact carries the load and is as wide as it should be", "[ex11.2]") {

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <stdexcept>
 
 #include "catch_compat.hpp"
 #include "exercise.hpp"
@@ -42,4 +43,9 @@ TEST_CASE("ex12.1 the rim is free", "[ex12.1]") {
 TEST_CASE("ex12.1 tension across the load is the same all along it", "[ex12.1]") {
   for (const double y : {-0.9, -0.3, 0.5, 0.99})
     CHECK(disc_stress(1, pi, 0, {0, y})[0] == Approx(1).epsilon(1e-13));
+}
+
+TEST_CASE("ex12.1 under each of the loads the stress has no limit", "[ex12.1]") {
+  CHECK_THROWS_AS(disc_stress(2, 1, 0, {0, 2}), std::invalid_argument);
+  CHECK_THROWS_AS(disc_stress(2, 1, 0, {0, -2}), std::invalid_argument);
 }

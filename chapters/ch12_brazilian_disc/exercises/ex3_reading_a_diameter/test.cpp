@@ -34,6 +34,12 @@ TEST_CASE("ex12.3 three points by hand", "[ex12.3]") {
   CHECK(*even_from(line, 1, 0) == 2);
 }
 
+TEST_CASE("ex12.3 an even compression", "[ex12.3]") {
+  const auto from = even_from({{0, 3}, {1, -2.01}, {2, -2}}, -2, 0.01);
+  REQUIRE(from);
+  CHECK(*from == 1);
+}
+
 TEST_CASE("ex12.3 where tension begins", "[ex12.3]") {
   const auto begins = tension_begins(diameter(400));
   REQUIRE(begins);

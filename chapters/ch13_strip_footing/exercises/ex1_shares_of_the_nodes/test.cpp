@@ -43,3 +43,11 @@ TEST_CASE("ex13.1 what is no strip and what are no nodes is refused", "[ex13.1]"
   CHECK_THROWS_AS(largest_deviation(Vector4d(0, 1, 1, 1.5), Vector4d::Ones(), 1.5, 45, 1),
                   std::invalid_argument);
 }
+
+TEST_CASE("ex13.1 nodes near either edge are left out", "[ex13.1]") {
+  VectorXd x(5), force(5);
+  x << -1, -0.5, 0, 0.5, 1;
+  force << 7, force_between(1, 1, -0.75, -0.25), force_between(1, 1, -0.25, 0.25),
+      force_between(1, 1, 0.25, 0.75), 7;
+  CHECK(largest_deviation(x, force, 1, 1, 0.8) < 1e-14);
+}

@@ -63,3 +63,9 @@ TEST_CASE("ex14.3 sides that are short enough", "[ex14.3]") {
   CHECK(sagitta(sides - 1) > 0.015);
   CHECK_THROWS_AS(sides_needed(68.15, 0, 0.1), std::invalid_argument);
 }
+
+TEST_CASE("ex14.3 a press fit is drawn with a gap below zero, and one side may do", "[ex14.3]") {
+  CHECK(as_drawn({3, 3, -0.0505, -0.0495}, -0.05, 0.02));
+  CHECK_FALSE(as_drawn({3, 3, -0.0505, -0.0495}, -0.05, 0.002));
+  CHECK(sides_needed(1, 1, 1) == 1);
+}

@@ -1,3 +1,4 @@
+#include <chrono>
 #include <stdexcept>
 
 #include "../chapters/ch16_accuracy_costs/scenes.hpp"
@@ -9,6 +10,12 @@ using signorini::Ledger;
 
 static Ledger hertz(Eigen::Index cells) {
   return signorini::solved(ch16::hertz(cells), "Hertz").solution.ledger;
+}
+
+static void wait(int milliseconds) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(milliseconds);
+  while (std::chrono::steady_clock::now() < end) {
+  }
 }
 
 // The left bars of figure 16.4, in operations.
@@ -50,4 +57,18 @@ TEST_CASE("ex16.3 a phase is not as dear as what is nested in it", "[ex16.3]") {
     CAPTURE(entry.path);
     CHECK(own(path) >= own(entry.path));
   }
+}
+
+// What is nested takes most of the time, and ten times as much as the phase around it by itself.
+TEST_CASE("ex16.3 the dearest phase of three by hand", "[ex16.3]") {
+  Ledger ledger;
+  {
+    const Ledger::Phase outer(ledger, "outer");
+    wait(2);
+    const Ledger::Phase inner(ledger, "inner");
+    wait(20);
+  }
+  const double outer = ledger.seconds("outer"), inner = ledger.seconds("outer/inner");
+  CAPTURE(outer, inner);
+  CHECK(dearest(ledger) == (outer - inner > inner ? "outer" : "outer/inner"));
 }

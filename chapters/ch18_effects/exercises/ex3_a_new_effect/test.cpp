@@ -123,3 +123,17 @@ TEST_CASE("ex18.3 supports bear what the spin pulls", "[ex18.3]") {
   CHECK(force.col(0).sum() == Approx(-quarter).epsilon(1e-4));
   CHECK(force.col(1).sum() == Approx(quarter).epsilon(1e-4));
 }
+
+// About another centre the same forces, and the mass times the way of the centre besides.
+TEST_CASE("ex18.3 the centre of a spin need not be the origin", "[ex18.3]") {
+  const SpinningScene about_origin = disc_of_steel();
+  SpinningScene about_rim = about_origin;
+  about_rim.spin[0]->centre = {-R, 0};
+  const auto pulls = [](const SpinningScene& s) {
+    const SolvedScene run = solve_spinning(s);
+    return Eigen::RowVector2d(support_forces(run.model, run.solution).colwise().sum());
+  };
+  const double mass = rho * std::acos(-1.0) * R * R / 4;  // of the quarter, of thickness 1
+  CHECK(pulls(about_rim)(0) - pulls(about_origin)(0) ==
+        Approx(-mass * omega * omega * R).epsilon(1e-3));
+}
