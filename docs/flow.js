@@ -5,7 +5,8 @@
 "use strict";
 const BROKEN = "p, li, td, figcaption, .hint";    // what has words that may be broken
 const WHOLE = "pre, code, math, svg, .nb";        // and what within it has none
-const SIZES = [0.95, 0.9, 0.85, 0.8];             // of pictures, if one saves a page
+const SIZES = [0.95, 0.9, 0.85, 0.8];             // of pictures, if one saves a page or fills one
+const WHITE = 0.3;                                // of a page, at most; a third in print
 const KEPT = 0.2;                                 // of a page: listings and tables below stay in one piece
 const EDGE = [2, 3];                              // letters that stay together at both ends of a word
 
@@ -70,16 +71,13 @@ function page_of(e, section, { width, height }) {
   return { first: page(parts[0]), last: page(last), free: height - (last.bottom - frame.top) };
 }
 
-/// The text that goes before a figure if any may: from the next block to one after which a figure may stand.
+/// The text that goes before a figure: from the next block to one after which a figure may stand.
 function text_after(figure) {
-  const text = [];
-  let e = figure.nextElementSibling;
-  while (e && picture(e)) e = e.nextElementSibling;
-  for (; e && !picture(e); e = e.nextElementSibling) {
-    if (e.matches(".exercises")) return [];
+  const after = [], text = [];
+  for (let e = figure.nextElementSibling; e && !e.matches(".exercises"); e = e.nextElementSibling) if (!picture(e)) after.push(e);
+  for (const [i, e] of after.entries()) {
     text.push(e);
-    const next = e.nextElementSibling;
-    if (!leads(e) && !(next && led(next))) return text;
+    if (!leads(e) && !(after[i + 1] && led(after[i + 1]))) return text;
   }
   return [];
 }
@@ -97,27 +95,37 @@ function settle_figure(figure, section, sheet) {
   }
 }
 
-/// Puts text before the figures of a section that do not fit on their pages.  Returns the number of its pages.
+/// The largest share of a page of a section, but the last, that is white.
+function whitest(section, sheet) {
+  const blocks = [...section.children].map((e) => page_of(e, section, sheet));
+  return Math.max(0, ...blocks.slice(1).map((next, i) => next.first > blocks[i].last ? blocks[i].free / sheet.height : 0));
+}
+
+/// Sets the pictures of a section in one size, and text before those that do not fit on their pages.
 function settle_section(section, order, size, sheet) {
   section.style.setProperty("--size", size);
   section.append(...order);
   for (const figure of section.querySelectorAll(":scope > figure.picture")) settle_figure(figure, section, sheet);
-  return Math.round(section.scrollWidth / sheet.width);
+  return { pages: Math.round(section.scrollWidth / sheet.width), full: whitest(section, sheet) < WHITE };
 }
 
-/// The largest size of its pictures that saves the last page of a section, or 1.
-function smaller(section, order, sheet) {
-  const pages = settle_section(section, order, 1, sheet);
+/// The largest size of the pictures of a section that saves its last page, or fills a page that would be white; or 1.
+function size_of(section, order, sheet) {
+  const plain = settle_section(section, order, 1, sheet);
   const last = sheet.height - page_of(section.lastElementChild, section, sheet).free;
   const pictures = [...section.querySelectorAll("figure.picture")].reduce((sum, e) => sum + e.offsetHeight, 0);
-  return SIZES.find((size) => (1 - size) * pictures > last && settle_section(section, order, size, sheet) < pages) ?? 1;
+  return SIZES.find((size) => {
+    if (plain.full && (1 - size) * pictures < last) return false;
+    const { pages, full } = settle_section(section, order, size, sheet);
+    return full && (!plain.full || pages < plain.pages);
+  }) ?? 1;
 }
 
 function floats(sheet) {
   for (const e of document.querySelectorAll("pre, table")) if (e.offsetHeight < KEPT * sheet.height) e.classList.add("short");
   for (const section of document.querySelectorAll("section")) {
     section.style.cssText = `columns: ${sheet.width}px; column-fill: auto; column-gap: 0; width: ${sheet.width}px; height: ${sheet.height}px`;
-    const order = [...section.childNodes], size = smaller(section, order, sheet);
+    const order = [...section.childNodes], size = size_of(section, order, sheet);
     settle_section(section, order, size, sheet);
     section.style.cssText = `--size: ${size}`;
   }
