@@ -137,8 +137,11 @@ sub first_failure {
         my @checks = ($body // '') =~ /^(\S+:\d+: FAILED:\n.*?)\n(?:\n|\z)/gms or next;
         my $more = @checks - 3;
         my @others = grep { $is->{tests}{$_}[1] && "$_\n" ne $name } @{ $is->{names} };
-        s{^\S*/}{} for @checks;
-        return join '', $before, $name, map({ "$_\n" } @checks[0 .. ($more > 0 ? 2 : $#checks)]), $more > 0 ? "and $more more checks of this test\n" : (),
+        for (@checks) {
+            my %said;
+            $_ = join "\n", grep { !/ := / || !$said{$_}++ } split /\n/, s{^\S*/}{}r;
+        }
+        return join '', $before, $name, map({ "$_\n" } @checks[0 .. ($more > 0 ? 2 : $#checks)]), $more > 0 ? "and $more more of this test\n" : (),
             map { "fails too: $_\n" } @others;
     }
     return;
@@ -147,7 +150,7 @@ sub first_failure {
 sub show {    # what a program printed, without the greeting of Catch2, and what it did not say itself
     my ($is) = @_;
     $is->{said} =~ s/^~~~~.*?^Run with -\?[^\n]*\n//ms;
-    $is->{said} =~ s/\A\n+//;
+    $is->{said} =~ s/\A\n*(?:Filters: .*\n)?\n*//;
     my $said = first_failure($is) // $is->{said};
     print $said;
     print "\n" if length $said && $said !~ /\n\z/;

@@ -14,7 +14,7 @@ for (split /\n/, slurp($planted)) {
     elsif (/^> (.*)/)       { $table .= "$row `" . $1 =~ s/\|/\\|/gr . "` |\n" }
 }
 my $old = slurp($sheet);
-(my $new = $old) =~ s/(<!-- mistakes -->\n\n).*?(\n<!-- \/mistakes -->)/$1$table$2/s or die "mistakes.pl: $sheet has no table of mistakes\n";
+(my $new = $old) =~ s/(<!-- mistakes -->\n).*?(<!-- \/mistakes -->)/$1\n$table\n$2/s or die "mistakes.pl: $sheet has no table of mistakes\n";
 exit 0 if $new eq $old;
 if (@ARGV) { print "$sheet: its mistakes are not those of $planted: make text\n"; exit 1 }
 open my $out, '>', $sheet or die "mistakes.pl: cannot write $sheet: $!\n";

@@ -89,6 +89,10 @@ sub check {
             $last = $rung{$kind};
         }
     }
+    for my $page (-f 'tests/exercises/wrong' ? glob 'chapters/ch*/exercises/ex*/README.md' : ()) {
+        my ($chapter, $k) = $page =~ m{/ch0*(\d+)_.*/ex(\d+)_};
+        push @found, "tests/exercises/wrong has no mistake of exercise $chapter.$k" if slurp('tests/exercises/wrong') !~ /^ex$chapter\.$k /m;
+    }
     my $citation = slurp('CITATION.cff');
     my ($version) = slurp('CMakeLists.txt') =~ /project\(signorini VERSION ([\d.]+)/;
     push @found, "CITATION.cff has not the version $version" if $citation !~ /^version: \Q$version\E$/m;

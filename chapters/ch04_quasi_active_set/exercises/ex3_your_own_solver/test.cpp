@@ -40,7 +40,7 @@ TEST_CASE("ex4.3 a limit and a set that cannot be closed have their statuses", "
 // rounding. finished() takes back the claim that this is a solution, and says so in `reason`; solves() keeps
 // you from making it.
 TEST_CASE("ex4.3 no wrong pair is not yet a solution", "[ex4.3]") {
-  const double almost = 1 - 0x1p-19;
+  const double almost = 1 - 1e-6;
   const Eigen::Matrix2d G = (Eigen::Matrix2d() << 1, -almost, -almost, 1).finished();
   const ContactState state = ex4_3::my_solver().solve({G, Eigen::Vector2d(-1, -0.5)}, {});
   CHECK(std::string(to_string(state.report.status)) == "breakdown");

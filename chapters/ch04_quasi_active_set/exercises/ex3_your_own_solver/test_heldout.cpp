@@ -54,10 +54,10 @@ TEST_CASE("ex4.3 held out: the same bits again, a limit that is kept", "[ex4.3]"
 
 // Of two pairs that push each other open, the more the closer they come to being one pair turned round.
 TEST_CASE("ex4.3 held out: what solves() does not confirm is not claimed", "[ex4.3]") {
-  for (int bits = 17; bits <= 40; ++bits)
-    for (const double second : {-0.5, -2.0}) {
-      CAPTURE(bits, second);
-      const double almost = 1 - std::ldexp(1, -bits);
+  for (const double rest : {3e-6, 3e-7, 1e-7, 1e-8, 1e-9, 1e-10})
+    for (const double second : {-0.3, -0.7, -2.0}) {
+      CAPTURE(rest, second);
+      const double almost = 1 - rest;
       const Eigen::Matrix2d G = (Eigen::Matrix2d() << 1, -almost, -almost, 1).finished();
       const ContactState state = ex4_3::my_solver().solve({G, Eigen::Vector2d(-1, second)}, {});
       CHECK(std::string(to_string(state.report.status)) == "breakdown");

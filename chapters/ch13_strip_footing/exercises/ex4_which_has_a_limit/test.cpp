@@ -35,3 +35,11 @@ TEST_CASE("ex13.4 the edge of the rigid footing: the force has a limit, the pres
   CHECK(trend_of(pressure).fate == Fate::Grows);
   CHECK(trend_of(pressure).power == Approx(0.5).margin(0.02));  // the pressure goes as 1/sqrt(r)
 }
+
+TEST_CASE("ex13.4 steps that change their sign, and steps that are over", "[ex13.4]") {
+  const Trend swings = trend_of({0, 2, 1});  // steps 2, -1, then 1/2, -1/4, ...
+  CHECK(swings.fate == Fate::Converges);
+  CHECK(swings.order == Approx(1).epsilon(1e-14));
+  CHECK(swings.limit == Approx(4.0 / 3).epsilon(1e-14));
+  CHECK(trend_of({3, 2, 2}).limit == 2);
+}

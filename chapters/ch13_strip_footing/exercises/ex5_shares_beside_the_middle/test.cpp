@@ -43,3 +43,8 @@ TEST_CASE("ex13.5 beyond half of a the far edge bears nothing", "[ex13.5]") {
   CHECK(share(2) > 0);
   CHECK_THROWS_AS(five(1), std::invalid_argument);
 }
+
+TEST_CASE("ex13.5 a load on the other side is a mirror image", "[ex13.5]") {
+  for (const double e : {0.25, 0.75}) CHECK(equal_within(five(-e), five(e).reverse(), 1e-13));
+  CHECK_THROWS_AS(five(-1), std::invalid_argument);
+}

@@ -51,3 +51,9 @@ TEST_CASE("ex15.2 what comes first is there at half of the time, the other begin
 TEST_CASE("ex15.2 nobody comes first who is not there", "[ex15.2]") {
   CHECK_THROWS_AS(in_order(straight(0.2), "foot"), std::invalid_argument);
 }
+
+TEST_CASE("ex15.2 an odd number of steps gets one more", "[ex15.2]") {
+  Scene scene = straight(0.2);
+  scene.path->times = equal_steps(3);
+  CHECK(in_order(scene, "hand").path->times == equal_steps(4));
+}

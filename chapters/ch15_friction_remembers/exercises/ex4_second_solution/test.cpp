@@ -49,3 +49,17 @@ TEST_CASE("ex15.4 the node of the chapter: one answer below mu = 5/3, three abov
       }
     }
 }
+
+TEST_CASE("ex15.4 cohesion adds to the bound of a closed pair", "[ex15.4]") {
+  const Eigen::Matrix2d F = Eigen::Vector2d(2, 4).asDiagonal();
+  const std::vector<Answer> stuck = all_answers({F, -6, 7, 0, 2});  // would slide without it
+  REQUIRE(stuck.size() == 1);
+  CHECK(stuck[0].contact_status == ContactStatus::Stick);
+  // Gap -4 + 2 lambda + tau = 0 with tau = -(lambda / 2 + 1).
+  const std::vector<Answer> slides =
+      all_answers({(Eigen::Matrix2d() << 2, 1, 1, 2).finished(), -4, 10, 0.5, 1});
+  REQUIRE(slides.size() == 1);
+  CHECK(slides[0].contact_status == ContactStatus::SlipForward);
+  CHECK(slides[0].force == Approx(10.0 / 3).epsilon(1e-14));
+  CHECK(slides[0].friction == Approx(-8.0 / 3).epsilon(1e-14));
+}

@@ -80,3 +80,10 @@ TEST_CASE("ex15.6 what is not solved has no pairs to read", "[ex15.6]") {
   run.solution.contact.report.status = SolveStatus::IterationLimit;
   CHECK_THROWS_AS(pairs_of(run), std::invalid_argument);
 }
+
+TEST_CASE("ex15.6 cohesion raises the bound of what is closed", "[ex15.6]") {
+  Scene scene = square(8);
+  scene.contacts[0].friction = Friction{1, 2};
+  for (const Pair& pair : pairs_of(solved(scene, "the square")))
+    if (pair.bound != 0) CHECK(pair.bound > pair.force);
+}

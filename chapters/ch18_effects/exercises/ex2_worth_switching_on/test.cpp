@@ -77,3 +77,10 @@ TEST_CASE("ex18.2 what is left out adds up to no more than the accuracy", "[ex18
   CHECK(worth_switching_on(steel(), 0.07) == Names{"temperature", "body force"});  // 0.066 + 0.013
   CHECK(worth_switching_on(steel(), 0.001) == Names{"temperature", "body force", "edge loads"});
 }
+
+TEST_CASE("ex18.2 the largest comes first, also if it takes from the pressure", "[ex18.2]") {
+  Fit fast = steel();
+  fast.speed *= 3;
+  CHECK(changes(fast)[0].effect == "body force");
+  CHECK(changes(fast)[0].share < 0);
+}

@@ -31,3 +31,11 @@ TEST_CASE("ex19.1 nothing overlaps", "[ex19.1]") {
   CHECK(end.passes == 1);
   CHECK(end.force.isZero());
 }
+
+// The first pass has the solution, and the second one sees it; the open pair is far away, and does not count.
+TEST_CASE("ex19.1 the accuracy is a part of the largest overlap", "[ex19.1]") {
+  const ex19_1::Ending end =
+      ex19_1::uzawa(Eigen::Matrix2d::Identity(), Eigen::Vector2d(-1, 1000), 1e-3, 10);
+  CHECK(end.ended);
+  CHECK(end.passes == 2);
+}

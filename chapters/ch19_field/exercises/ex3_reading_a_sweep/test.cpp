@@ -1,3 +1,5 @@
+#include <stdexcept>
+
 #include "catch_compat.hpp"
 #include "exercise.hpp"
 
@@ -21,4 +23,8 @@ TEST_CASE("ex19.3 an error that does not depend on the parameter", "[ex19.3]") {
   const ex19_3::Reading mine = ex19_3::read_sweep({{1, 0.5, 10}, {2, 0.5, 10}, {4, 0.5, 10}});
   CHECK(mine.enough == 1);
   CHECK(mine.order == 0);
+}
+
+TEST_CASE("ex19.3 parameters must increase", "[ex19.3]") {
+  CHECK_THROWS_AS(ex19_3::read_sweep({{2, 0.5, 10}, {1, 0.5, 10}}), std::invalid_argument);
 }

@@ -31,4 +31,5 @@ TEST_CASE("ex20.2 without an overlap nothing is to be done", "[ex20.2]") {
 
 TEST_CASE("ex20.2 a force beside the gap of its pair breaks the rule", "[ex20.2]") {
   CHECK_THROWS_AS(read({false, true}, {{2, 5}}), std::invalid_argument);
+  CHECK_THROWS_AS(read({true, false}, {{3, 4}}), std::invalid_argument);
 }
