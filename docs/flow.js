@@ -1,6 +1,7 @@
 // flow.js: what a typesetter does to the text that print.js has joined: hyphens, and figures that float.
 //
-// hyphenate(rules) puts soft hyphens into the words, by Liang's method; rules is the text of a file of patterns, such as hyph_en_GB.dic.
+// hyphenate(rules) puts soft hyphens into the words where lines end, by Liang's method; rules is the text of a file of patterns, such as hyph_en_GB.dic.
+// join_words() takes away those where a line ends no more.
 // floats(sheet) lets text go before a figure that does not fit on its page; sheet is {width, height} of what is printed on a page, in pixels.
 "use strict";
 const BROKEN = "p, li, td, figcaption, .hint";    // what has words that may be broken
@@ -43,20 +44,30 @@ function ends_line(node, at) {
   return around[1].left < around[0].right - 1;
 }
 
-/// Breaks words, then takes away the hyphens that no line ends with: a search would not find words that have them.
-function hyphenate(rules) {
-  const patterns = patterns_of(rules), known = new Map(), nodes = [];
-  const walk = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT,
+/// The texts whose words may be broken.
+function texts() {
+  const nodes = [], walk = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT,
       (node) => node.parentElement.closest(BROKEN) && !node.parentElement.closest(WHOLE) ? NodeFilter.FILTER_ACCEPT : NodeFilter.FILTER_REJECT);
   while (walk.nextNode()) nodes.push(walk.currentNode);
-  for (const node of nodes) {
+  return nodes;
+}
+
+/// Takes away the hyphens that no line ends with: a search would not find words that have them.
+function join_words() {
+  const nodes = texts().filter((node) => node.data.includes("\u00ad"));
+  const left = nodes.map((node) => node.data.replace(/\u00ad/g, (sign, at) => ends_line(node, at) ? sign : ""));
+  nodes.forEach((node, i) => { node.data = left[i]; });
+}
+
+function hyphenate(rules) {
+  const patterns = patterns_of(rules), known = new Map();
+  for (const node of texts()) {
     node.data = node.data.replace(/(?<![\p{L}\d_.])\p{L}?\p{Ll}{4,}(?![\p{L}\d_.]\S)/gu, (word) => {
       if (!known.has(word)) known.set(word, broken(word, patterns));
       return known.get(word);
     });
   }
-  const left = nodes.map((node) => node.data.replace(/\u00ad/g, (sign, at) => ends_line(node, at) ? sign : ""));
-  nodes.forEach((node, i) => { if (node.data !== left[i]) node.data = left[i]; });
+  join_words();
 }
 
 const heading = (e) => /^H\d$/.test(e.tagName);

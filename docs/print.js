@@ -238,6 +238,7 @@ async function settle() {
 
 function number(pages) {
   for (const e of document.querySelectorAll(".page")) e.textContent = pages[e.dataset.place] ?? "?";
+  join_words();
 }
 
 function misfits() {
