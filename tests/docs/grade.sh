@@ -31,9 +31,9 @@ cheat() { # the same: a right answer, and more
 }
 
 # right
-student right ex3.1 passed 5 3 < "$third/solution.cpp"
+student right ex3.1 passed 6 3 < "$third/solution.cpp"
 student right ex2.2 passed 3 2 < "$second/solution.cpp"
-cheat helpers passed 5 3 '' '#include <vector>
+cheat helpers passed 6 3 '' '#include <vector>
 #include <functional>
 #include <stdexcept>
 struct Mine : std::runtime_error { using std::runtime_error::runtime_error; virtual double f() { return 1; } };
@@ -42,13 +42,13 @@ double use(Mine& mine) { return helper(mine.f()); }'
 mkdir -p 'Zoë, "Z" & <co>/ex3.1'
 cp "$third"/* 'Zoë, "Z" & <co>/ex3.1'
 cp "$third/solution.cpp" 'Zoë, "Z" & <co>/ex3.1/attempt.cpp'
-row '"Zoë, ""Z"" & <co>"' ex3.1 passed 5 3
+row '"Zoë, ""Z"" & <co>"' ex3.1 passed 6 3
 
 # wrong
 student starter ex3.1 failed 2 0 'two pairs: one step reaches the forces: CHECK' < "$third/attempt.cpp"
 sed 's/-rise/rise/' "$third/solution.cpp" | student sign ex3.1 failed 2 0 'Approx'
-step memory 'public only' 5 1 'held out: no other step gains more' '' \
-    'if (line.b0 == 12) return 0.5; if (line.b1 == 2 && line.b0 == 6) return 0.25;
+step memory 'public only' 6 1 'held out: no other step gains more' '' \
+    'if (line.b0 == 12) return 0.5; if (line.b0 == 7) return 0.25; if (line.b1 == 2 && line.b0 == 6) return 0.25;
      if (line.b1 <= 0) return 0; if (line.b0 == 1) return largest; return largest < 0.5 ? largest : 0.5;'
 step throws failed 0 0 'not today' '#include <stdexcept>' 'throw std::runtime_error("not today, " + std::to_string(line.b0 * largest));'
 printf 'this is no program\n' | student typo ex3.1 'does not compile' 0 0 'line 1'
@@ -102,7 +102,7 @@ Gain dual_energy(const Eigen::MatrixXd&, const Eigen::VectorXd&, const Eigen::Ve
 END
 
 # what is somebody else's work
-student calls ex3.1 borrowed 5 3 'calls signorini::best_step' << 'END'
+student calls ex3.1 borrowed 6 3 'calls signorini::best_step' << 'END'
 #include "exercise.hpp"
 namespace signorini {
 struct WeightLine { double b0, b1, c0, c1, c2; };
@@ -112,10 +112,10 @@ namespace ex3_1 {
 double best_step(const Line& l, double largest) { return signorini::best_step({l.b0, l.b1, l.c0, l.c1, l.c2}, largest); }
 }
 END
-step copies borrowed 5 3 'copies best_step() of src/papers/surrogate_dual.cpp' '#include <algorithm>' \
+step copies borrowed 6 3 'copies best_step() of src/papers/surrogate_dual.cpp' '#include <algorithm>' \
     'const double up = line.b1 * line.c0 - line.b0 * line.c1; if (up <= 0) return 0;
      const double turn = line.b1 * line.c1 - line.b0 * line.c2; return turn < 0 ? std::min(largest, -up / turn) : largest;'
-step includes borrowed 5 3 'includes chapters/ch03_simplex_updates/three_problems.hpp' \
+step includes borrowed 6 3 'includes chapters/ch03_simplex_updates/three_problems.hpp' \
     '#include "../chapters/ch03_simplex_updates/three_problems.hpp"' \
     'if (line.b1 * line.c0 - line.b0 * line.c1 <= 0) return 0; const double bend = line.b1 * line.c1 - line.b0 * line.c2;
      if (bend >= 0) return largest; return std::min(largest, (line.b0 * line.c1 - line.b1 * line.c0) / bend);'

@@ -39,3 +39,12 @@ TEST_CASE("ex0.1 it does not matter where the triangle stands", "[ex0.1]") {
   CHECK(equal_within(ex0_1::triangle_stiffness(moved, simple(), 1),
                      ex0_1::triangle_stiffness(unit(), simple(), 1), 1e-14));
 }
+
+TEST_CASE("ex0.1 a triangle that is turned has the same matrix, turned", "[ex0.1]") {
+  const Eigen::Matrix2d turn = (Eigen::Matrix2d() << 0.6, -0.8, 0.8, 0.6).finished();
+  Matrix6d T = Matrix6d::Zero();
+  for (Eigen::Index k = 0; k < 6; k += 2) T.block<2, 2>(k, k) = turn;
+  const Corners turned = unit() * turn.transpose();
+  CHECK(equal_within(ex0_1::triangle_stiffness(turned, simple(), 1),
+                     T * ex0_1::triangle_stiffness(unit(), simple(), 1) * T.transpose(), 1e-14));
+}

@@ -30,3 +30,9 @@ TEST_CASE("ex2.1 the slope vanishes at the forces", "[ex2.1]") {
   CHECK(slope.norm() < 1e-14);
   CHECK(ex2_1::gradient(G, Vector2d(-3, -2), Vector2d(1, 0))(1) > 1);  // but not everywhere
 }
+
+TEST_CASE("ex2.1 where the weighted gap is open there is no slope", "[ex2.1]") {
+  const Eigen::VectorXd slope =
+      ex2_1::gradient(Eigen::Matrix2d::Identity(), Vector2d(2, -1), Vector2d(1, 0.5));
+  CHECK(equal_within(slope, Vector2d(0, 0), 0));
+}

@@ -75,3 +75,10 @@ TEST_CASE("ex8.5 of two pairs one sticks and one slides", "[ex8.5]") {
   CHECK(equal_within(answer.friction, Eigen::Vector2d(-0.3, -1), 1e-15));
   CHECK(answer.statuses == std::vector<Status>{Status::Stick, Status::Forward});
 }
+
+TEST_CASE("ex8.5 the same two pairs the other way round", "[ex8.5]") {
+  const Answer answer = semismooth(
+      {Eigen::Matrix4d::Identity(), Eigen::Vector2d(-2, -1), Eigen::Vector2d(3, 0.3), 0.5}, 1);
+  REQUIRE(answer.solved);
+  CHECK(answer.statuses == std::vector<Status>{Status::Forward, Status::Stick});
+}

@@ -47,6 +47,7 @@ TEST_CASE("ex11.3 print cannot explain any of the printed rows", "[ex11.3]") {
   for (const Printed& row : {theory, paper, abaqus}) CHECK_FALSE(is_rounding(row, table_1.load));
   CHECK(is_rounding({1.08001, 5, 24.6157, 4}, table_1.load));
   CHECK(is_rounding({1.1, 1, 24, 0}, table_1.load));
+  CHECK(is_rounding({1.0, 1, 24.6157, 4}, 40.2));         // 1.04 and 24.6157 carry it
   CHECK(is_rounding({1.08001, 5, 25, 0}, table_1.load));  // too much, but for the peak's last digit
   CHECK(is_rounding({1.08001, 5, 24.6, 1}, table_1.load));  // too little, but for that
 }

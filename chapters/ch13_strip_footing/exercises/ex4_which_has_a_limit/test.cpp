@@ -1,3 +1,4 @@
+#include <cmath>
 #include <stdexcept>
 
 #include "../chapters/ch13_strip_footing/base.hpp"
@@ -42,4 +43,6 @@ TEST_CASE("ex13.4 steps that change their sign, and steps that are over", "[ex13
   CHECK(swings.order == Approx(1).epsilon(1e-14));
   CHECK(swings.limit == Approx(4.0 / 3).epsilon(1e-14));
   CHECK(trend_of({3, 2, 2}).limit == 2);
+  CHECK(trend_of({3, 2, 2}).order == HUGE_VAL);
+  CHECK(trend_of({0, -1, -3}).fate == Fate::Grows);  // away from zero, downwards
 }

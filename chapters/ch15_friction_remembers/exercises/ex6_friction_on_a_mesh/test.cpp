@@ -87,3 +87,9 @@ TEST_CASE("ex15.6 cohesion raises the bound of what is closed", "[ex15.6]") {
   for (const Pair& pair : pairs_of(solved(scene, "the square")))
     if (pair.bound != 0) CHECK(pair.bound > pair.force);
 }
+
+// Beside a gap of 1000 one of 0.5 is rounding, and the force of 0.1 is the largest of all.
+TEST_CASE("ex15.6 lengths and forces are not compared as numbers", "[ex15.6]") {
+  const std::vector<Pair> pairs = {{0, 1000, 0, 0, 0, 0}, {1, 0.5, 0.1, 0, 0, 0.1}};
+  CHECK(states_of(pairs) == std::vector<State>{State::Open, State::Stick});
+}

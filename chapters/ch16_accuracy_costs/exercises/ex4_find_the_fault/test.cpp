@@ -20,6 +20,7 @@ TEST_CASE("ex16.4 the middle of four, and a phase that is too short to count", "
   const Verdict four = find_fault({{"a", 1, 2}, {"b", 1, 1}, {"c", 1, 1.2}, {"d", 1, 1.4}});
   CHECK(four.slowness == Approx(1.3).epsilon(1e-14));
   CHECK(four.faulty == std::vector<std::string>{"a", "b"});
+  CHECK(find_fault({{"a", 1, 1.2}, {"b", 1, 1}, {"c", 1, 1.4}}).slowness == 1.2);
   const Verdict brief = find_fault({{"assembly", 1, 2}, {"factor", 3, 6}, {"plan", 0.01, 0.1}});
   CHECK(brief.slowness == Approx(2).epsilon(1e-14));
   CHECK(brief.faulty == std::vector<std::string>{});

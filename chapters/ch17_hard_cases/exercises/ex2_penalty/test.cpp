@@ -26,3 +26,8 @@ TEST_CASE("ex17.2 a pair that others push open has no force", "[ex17.2]") {
   CHECK(force(0) == Approx(2).epsilon(1e-8));
   CHECK(force(1) == 0);
 }
+
+TEST_CASE("ex17.2 the share is one of the largest overlap", "[ex17.2]") {
+  const ContactProblem two{Eigen::Matrix2d::Identity(), Vector2d(-1, -0.1)};  // 1 / (1 + k) is left
+  CHECK(stiffness_for(two, 0.5) == Approx(1).epsilon(1e-8));
+}

@@ -29,3 +29,10 @@ TEST_CASE("ex17.3 the proof is found", "[ex17.3]") {
   CHECK(proves(slot(-0.5), y));
   CHECK(find_proof(slot(0.5)).size() == 0);
 }
+
+// Three rows a = 1, -1 and 1: the weights 2, 1 and -1 add up to nothing, and the gaps to less.
+TEST_CASE("ex17.3 no weight of a proof is negative", "[ex17.3]") {
+  const Eigen::Vector3d a(1, -1, 1), d(0.5, 0.5, 3);
+  const Eigen::Matrix3d G = a * a.transpose();
+  CHECK(proves({G, d}, Eigen::Vector3d(2, 1, -1)) == false);
+}
