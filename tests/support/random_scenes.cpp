@@ -357,6 +357,23 @@ RandomScene revolved(RandomScene plane, double off) {
   return round;
 }
 
+/// The scene of a path as one of bodies that move, and that may go far.
+RandomScene moving(RandomScene path, double drag) {
+  path.scene.moves = true;
+  path.text += text("; moves, drags ", drag);
+  for (History& history : path.scene.path->histories)
+    if (history.name == "drag" || history.name == "third")
+      for (double& value : history.values) value *= drag;
+  for (ContactSpec& contact : path.scene.contacts) {
+    contact.interference.reset();
+    contact.adjust.reset();
+    contact.gap_operator = "mortar";
+    contact.quadrature = Quadrature::Segments;
+    contact.points = 0;
+  }
+  return path;
+}
+
 }  // namespace
 
 RandomScene random_scene(std::uint64_t seed, RandomScenes kind) {
@@ -369,6 +386,10 @@ RandomScene random_scene(std::uint64_t seed, RandomScenes kind) {
     drawn.wrong = spoil(draw, drawn.scene);
     drawn.text += draw.text;
     return drawn;
+  }
+  if (kind == RandomScenes::Moving) {
+    const double drags[] = {1, 4, 16};
+    return moving(random_scene(seed, RandomScenes::Paths), drags[seed % 3]);
   }
   const bool path = kind == RandomScenes::Paths;
   RandomScene plane =

@@ -192,6 +192,9 @@ const Keys<SceneDraft>& scene_keys() {
          if (!path) value.fail("has no meaning without [[steps]]: leave it out");
          take(value, path->halvings, Bound::NotNegative);
        }},
+      {{"moves", type_name<bool>(), "", written(Scene().moves),
+        "whether pairs are those of bodies where they have moved to, in [[steps]]"},
+       [](const Value& value, SceneDraft& draft) { take(value, draft.file.scene.moves); }},
       {{"output", "table", "", "", "what is written, into the working folder, see output"},
        [](const Value& value, SceneDraft& draft) {
          read_members(value, output_keys(), draft.file.output);

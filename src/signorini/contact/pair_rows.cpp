@@ -53,6 +53,47 @@ void write_matrix(const Entries& entries, const Eigen::VectorXd& total, Index co
   for (Index row = 0; row < total.size(); ++row) matrix.row(row) /= total(row);
 }
 
+/// Nodes of source and target, in the same place of time.
+struct NodesOfBoth {
+  const NodeArray& source;
+  const NodeArray& target;
+  Index first_source = 0;
+  Index first_target = 0;
+};
+
+/// How far two places lie apart along the target: \f$ t\cdot(x - \bar x) \f$, summed from a node of the
+/// target, so that nothing is lost far from the origin. The tangent runs against the walking direction.
+double apart(const SideCurve& source, double xi, const SideCurve& target, double target_xi,
+             const NodesOfBoth& nodes) {
+  const auto anchor = nodes.target.row(nodes.first_target + target.nodes().front());
+  Vector2d way = {0, 0};
+  Vector2d along = {0, 0};
+  const SideShape of_source = source.shape(xi);
+  for (std::size_t k = 0; k < source.nodes().size(); ++k)
+    way += of_source.value(static_cast<Index>(k)) *
+           (nodes.source.row(nodes.first_source + source.nodes()[k]) - anchor).transpose();
+  const SideShape of_target = target.shape(target_xi);
+  for (std::size_t k = 0; k < target.nodes().size(); ++k) {
+    const Vector2d node =
+        (nodes.target.row(nodes.first_target + target.nodes()[k]) - anchor).transpose();
+    way -= of_target.value(static_cast<Index>(k)) * node;
+    along -= of_target.slope(static_cast<Index>(k)) * node;
+  }
+  return way.dot(along.normalized());
+}
+
+/// How far a point has slid since the nodes stood elsewhere: by how much two places that face each
+/// other now lay apart along the target then. At rest both terms are the same number, and nothing has
+/// slid.
+double slid(const Interface& interface, const PairPoint& point, const NodeArray& before) {
+  const SideCurve& target = interface.search.side(point.place.side);
+  const auto when = [&](const NodesOfBoth& nodes) {
+    return apart(*point.side, point.xi, target, point.place.xi, nodes);
+  };
+  return when({interface.source.mesh.nodes, interface.target.mesh.nodes}) -
+         when({before, before, interface.source.first_node, interface.target.first_node});
+}
+
 }  // namespace
 
 /// A mean of several unit normals is shorter than 1 if the target turns among the points of a pair.
@@ -63,6 +104,8 @@ void write_rows(const Interface& interface, const std::vector<PairPoint>& points
   pairs.initial_gap.setZero(total.size());
   for (NodeArray* means : {&pairs.normal, &pairs.moment, &pairs.target_moment})
     means->setZero(total.size(), 2);
+  const bool moved = options.sliding && options.before != nullptr;
+  if (moved) pairs.slid.setZero(total.size());
   Entries opening;
   Entries sliding;
   for (const PairPoint& point : points) {
@@ -75,6 +118,7 @@ void write_rows(const Interface& interface, const std::vector<PairPoint>& points
     pairs.target_moment.row(point.pair) -= share * moments_at(point.place.point - x, n);
     act_and_react(interface, point, n, opening);
     if (options.sliding) act_and_react(interface, point, {n.y(), -n.x()}, sliding);
+    if (moved) pairs.slid(point.pair) += share * slid(interface, point, *options.before);
   }
   write_matrix(opening, total, 2 * options.n_nodes, pairs.opening);
   write_matrix(sliding, total, 2 * options.n_nodes, pairs.sliding);

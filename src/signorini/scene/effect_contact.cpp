@@ -71,10 +71,13 @@ ContactBodies bodies_of(const ContactSpec& contact, const std::vector<BodyModel>
 // fit below each other. A pair that supports hold on both sides is dropped by reduce(): no
 // force can act between two supports. If a contact loses all pairs in this way, the user
 // gets a note. `follow` keeps the gaps of the meshes, with which gaps in moved bodies will
-// be compared.
+// be compared. Of bodies that have moved in a step the input was checked before.
 void declare_contact(const Scene& scene, Plan& draft) {
-  for (const ContactSpec& contact : scene.contacts) check_choices(contact, draft);
-  check_listed_once(scene, draft.bodies);
+  const Standing* const standing = draft.standing.get();
+  if (standing == nullptr) {
+    for (const ContactSpec& contact : scene.contacts) check_choices(contact, draft);
+    check_listed_once(scene, draft.bodies);
+  }
   draft.contacts = contact_names(draft.bodies, scene.contacts);
   const bool sliding = std::any_of(scene.contacts.begin(), scene.contacts.end(), has_friction);
   const double directions = direction_rounding(draft.bodies);
@@ -82,10 +85,12 @@ void declare_contact(const Scene& scene, Plan& draft) {
   for (std::size_t k = 0; k < scene.contacts.size(); ++k) {
     const ContactSpec& contact = scene.contacts[k];
     const std::string what = describe(draft.bodies, contact);
-    Pairs found = pair_up(contact, draft.bodies, sliding);
+    Pairs found = pair_up(contact, draft.bodies, sliding, standing);
     const Eigen::VectorXd gap = found.initial_gap;
-    check_obstacle_side(contact, draft.bodies, found);
-    ask_checks(draft.notes, &Check::contact, contact, draft.bodies, found);
+    if (standing == nullptr) {
+      check_obstacle_side(contact, draft.bodies, found);
+      ask_checks(draft.notes, &Check::contact, contact, draft.bodies, found);
+    }
     std::string fitted;
     for (const FitSides fit : draft.fits) fitted += fit(contact, found);
     const Gaps gaps =
@@ -145,7 +150,8 @@ Effect contact() {
             model.programme.A.swap(model.gaps.A);
             model.programme.initial_gap = model.gaps.pairs.initial_gap;
             model.pairs = std::move(model.gaps.pairs);
-          }};
+          },
+          true};
 }
 
 // An overlap is an effect with nothing to add: g is negative there. But it loads the bodies,

@@ -1,0 +1,66 @@
+#include "support/checked_motion.hpp"
+
+#include <cmath>
+
+#include "signorini/core/index.hpp"
+#include "signorini/scene/bodies.hpp"
+#include "signorini/scene/readings.hpp"
+#include "support/checked_path.hpp"
+
+namespace signorini_test {
+namespace {
+
+using namespace signorini;
+using Eigen::Index;
+using Eigen::VectorXd;
+
+/// The scene with its bodies where a step has them, held there.
+Scene moved_scene(Scene scene, const std::vector<NodeArray>& displacements) {
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    scene.bodies[b].mesh.nodes += displacements[b];
+    for (Support& support : scene.bodies[b].supports)
+      support.displacement = [](const Eigen::Vector2d&) { return Eigen::Vector2d(0, 0); };
+  }
+  return scene;
+}
+
+}  // namespace
+
+SceneErrors check_motion(const Scene& scene, const Model& model, const VectorXd& before,
+                         const Step& step) {
+  Ledger ledger;
+  Scene now = at_time(scene, step.state.time);
+  now.moves = false;
+  Model check = build(now, ledger);
+  const Model there = build(moved_scene(now, step.solution.displacements), ledger);
+  SceneErrors errors;
+  if (there.pairs.node != model.pairs.node) {
+    errors.reading = HUGE_VAL;
+    return errors;
+  }
+  const Index pairs = there.pairs.weight.size();
+  const Index slips = static_cast<Index>(model.law.pair.size());
+  const VectorXd& u = step.solution.refined.displacement;
+  const NodalRows slip_rows = model.programme.A.bottomRows(slips);
+  check.pairs = there.pairs;
+  check.law = model.law;
+  check.standing = model.standing;
+  check.contact_of = model.contact_of;
+  check.programme.A = below(NodalRows(there.programme.A.topRows(pairs)), slip_rows);
+  check.programme.initial_gap = check.programme.A * u;
+  check.programme.initial_gap.head(pairs) += there.pairs.initial_gap;
+  check.programme.initial_gap.tail(slips) += step.solution.contact.slip;
+  errors = check_scene(check, step.solution);
+  // Friction does no work on what its pair has slid since the last step, but where that is a share of how far the step went.
+  const VectorXd moved = before.size() == 0 ? u : VectorXd(u - before);
+  const VectorXd slid = -(slip_rows * moved);
+  const double far = slid.size() == 0 ? 0 : slid.cwiseAbs().maxCoeff();
+  for (Index k = 0; k < slips; ++k)
+    if (std::abs(slid(k)) > 0.25 * far && slip_rows.row(k).norm() > 0 &&
+        step.solution.contact.friction(k) * slid(k) > 0 &&
+        std::abs(step.solution.contact.slip(k)) > 0.25 * far)
+      errors.sliding = HUGE_VAL;
+  return errors;
+}
+
+}  // namespace signorini_test
