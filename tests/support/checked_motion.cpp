@@ -41,6 +41,14 @@ SceneErrors check_motion(const Scene& scene, const Model& model, const VectorXd&
   const Index pairs = there.pairs.weight.size();
   const Index slips = static_cast<Index>(model.law.pair.size());
   const VectorXd& u = step.solution.refined.displacement;
+  const VectorXd all = all_displacements(model, step.solution.displacements);
+  // Meshes are moved by what is left of that in their positions.
+  NodeArray rest(all.size() / 2, 2);
+  for (std::size_t b = 0; b < check.bodies.size(); ++b) {
+    const BodyModel& body = check.bodies[b];
+    rest.middleRows(body.first_node, body.mesh.n_nodes()) =
+        step.solution.displacements[b] - (there.bodies[b].mesh.nodes - body.mesh.nodes);
+  }
   const NodalRows slip_rows = model.programme.A.bottomRows(slips);
   check.pairs = there.pairs;
   check.law = model.law;
@@ -48,15 +56,17 @@ SceneErrors check_motion(const Scene& scene, const Model& model, const VectorXd&
   check.contact_of = model.contact_of;
   check.programme.A = below(NodalRows(there.programme.A.topRows(pairs)), slip_rows);
   check.programme.initial_gap = check.programme.A * u;
-  check.programme.initial_gap.head(pairs) += there.pairs.initial_gap;
+  check.programme.initial_gap.head(pairs) +=
+      there.pairs.initial_gap +
+      there.pairs.opening * Eigen::Map<const VectorXd>(rest.data(), rest.size());
   check.programme.initial_gap.tail(slips) += step.solution.contact.slip;
   errors = check_scene(check, step.solution);
   // Friction does no work on what its pair has slid since the last step, but where that is a share of how far the step went.
-  const VectorXd moved = before.size() == 0 ? u : VectorXd(u - before);
-  const VectorXd slid = -(slip_rows * moved);
+  const VectorXd moved = before.size() == 0 ? all : VectorXd(all - before);
+  const VectorXd slid = selected_rows(model.pairs.sliding, model.law.pair) * moved;
   const double far = slid.size() == 0 ? 0 : slid.cwiseAbs().maxCoeff();
   for (Index k = 0; k < slips; ++k)
-    if (std::abs(slid(k)) > 0.25 * far && slip_rows.row(k).norm() > 0 &&
+    if (std::abs(slid(k)) > 0.25 * far &&
         step.solution.contact.friction(k) * slid(k) > 0 &&
         std::abs(step.solution.contact.slip(k)) > 0.25 * far)
       errors.sliding = HUGE_VAL;

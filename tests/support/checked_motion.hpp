@@ -10,7 +10,7 @@ namespace signorini_test {
 /// how much friction acts along them.
 /// \param scene   with load steps, whose bodies move
 /// \param model   of the step, for the frictional pairs
-/// \param before  `n` u at the end of the step before; empty: none [length]
+/// \param before  of all nodes, x and y of each, at the end of the step before; empty: none [length]
 /// \param step    solved
 /// \return its errors
 SceneErrors check_motion(const signorini::Scene& scene, const signorini::Model& model,

@@ -9,6 +9,7 @@
 #include "papers/solver_table.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/problem/active_set_system.hpp"
+#include "signorini/scene/readings.hpp"
 #include "signorini/solvers/fischer_burmeister.hpp"
 #include "signorini/solvers/lemke.hpp"
 #include "support/balance.hpp"
@@ -143,7 +144,7 @@ void try_motion(const Scene& scene, void (*change)(Solution& solution), Trial& t
     remember(step.solution, trial);
     if (change != nullptr) change(step.solution);
     judge(check_motion(scene, model, before, step), step.solution, trial);
-    before = step.state.solution.displacement;
+    before = all_displacements(model, step.solution.displacements);
   });
   trial.halvings = end.halvings;
   if (end.status == SolveStatus::Solved || trial.outcome == Outcome::Wrong) return;

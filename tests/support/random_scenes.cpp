@@ -8,6 +8,7 @@
 #include "meshes/split.hpp"
 #include "signorini/core/errors.hpp"
 #include "support/far.hpp"
+#include "support/random_moving.hpp"
 #include "support/random_paths.hpp"
 #include "support/random_wrongs.hpp"
 
@@ -357,23 +358,6 @@ RandomScene revolved(RandomScene plane, double off) {
   return round;
 }
 
-/// The scene of a path as one of bodies that move, and that may go far.
-RandomScene moving(RandomScene path, double drag) {
-  path.scene.moves = true;
-  path.text += text("; moves, drags ", drag);
-  for (History& history : path.scene.path->histories)
-    if (history.name == "drag" || history.name == "third")
-      for (double& value : history.values) value *= drag;
-  for (ContactSpec& contact : path.scene.contacts) {
-    contact.interference.reset();
-    contact.adjust.reset();
-    contact.gap_operator = "mortar";
-    contact.quadrature = Quadrature::Segments;
-    contact.points = 0;
-  }
-  return path;
-}
-
 }  // namespace
 
 RandomScene random_scene(std::uint64_t seed, RandomScenes kind) {
@@ -388,8 +372,9 @@ RandomScene random_scene(std::uint64_t seed, RandomScenes kind) {
     return drawn;
   }
   if (kind == RandomScenes::Moving) {
-    const double drags[] = {1, 4, 16};
-    return moving(random_scene(seed, RandomScenes::Paths), drags[seed % 3]);
+    Draws draw(seed);
+    Scene scene = random_moving(draw);
+    return {std::move(scene), std::move(draw.text)};
   }
   const bool path = kind == RandomScenes::Paths;
   RandomScene plane =

@@ -15,7 +15,7 @@ enum class RandomScenes {
   Revolved,   ///< the cross-sections are of bodies of revolution
   Triangles,  ///< as Frictionless, on triangles and meshes of both
   Paths,      ///< load steps of Varied, some on triangles, some revolved
-  Moving,     ///< load steps of bodies that move: Paths between meshes and on obstacles, some with much larger drags
+  Moving,     ///< bodies that move in load steps, see random_moving()
   Any         ///< any of these, then made odd or wrong, see spoil()
 };
 
@@ -40,8 +40,7 @@ struct RandomScene {
 /// \param kind  Frictional, Varied and Paths: at least one contact rubs. Revolved: the frictionless scene of the same seed as the
 ///   cross-section of bodies of revolution, which reach the axis or keep off it by up to three sizes.
 ///   Triangles: the scene of Frictionless with the cells of its first body cut into triangles, and every second one
-///   of the others. Paths: five steps, see add_path(); a quarter in triangles, a fifth revolved. Moving: the scene of Paths with
-///   mortar segments between its bodies, without fits, and with drags that are 1, 4 or 16 times as long. Any: what else the
+///   of the others. Paths: five steps, see add_path(); a quarter in triangles, a fifth revolved. Any: what else the
 ///   seed says, with up to three changes of spoil()
 /// \return the scene, with the default solvers
 RandomScene random_scene(std::uint64_t seed, RandomScenes kind);

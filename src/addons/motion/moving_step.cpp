@@ -9,12 +9,16 @@
 
 #include "addons/motion/moving_step.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "addons/motion/moved_pairs.hpp"
 #include "addons/motion/turns.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/problem/active_set_system.hpp"
+#include "signorini/problem/residual.hpp"
 #include "signorini/scene/balance.hpp"
 
 namespace signorini {
@@ -69,14 +73,44 @@ bool Moving::goes_to(const Solution& solution, std::string& reason) {
   return false;
 }
 
+/// Gaps of open pairs and slips of those that move, as they are where the bodies stand: the linear problem has foreseen them.
+void read_movements(const VectorXd& movement, ContactState& contact) {
+  const Index pairs = contact.gap.size();
+  VectorXd gap = movement.head(pairs);
+  for (const Index pair : contact.active) gap(pair) = contact.gap(pair);
+  contact.gap = std::move(gap);
+  for (Index k = 0; k < contact.slip.size(); ++k)
+    if (contact.contact_status[static_cast<std::size_t>(k)] != ContactStatus::Stick)
+      contact.slip(k) = movement(pairs + k);
+}
+
+/// Whether pairs that are closed or stick do so where the bodies stand, as well as a certificate wants penetration small: what
+/// it calls complementarity is a product, in which a small force would hide an open gap.
+bool keeps_still(const QuadraticProgramme& programme, const VectorXd& u, const VectorXd& movement,
+                 const ContactState& contact) {
+  const double most =
+      certificate_tolerance * largest(programme.A.cwiseAbs() * u.cwiseAbs());
+  const Index pairs = contact.gap.size();
+  double moved = 0;
+  for (const Index pair : contact.active) moved = std::max(moved, std::abs(movement(pair)));
+  for (Index k = 0; k < contact.slip.size(); ++k)
+    if (contact.contact_status[static_cast<std::size_t>(k)] == ContactStatus::Stick)
+      moved = std::max(moved, std::abs(movement(pairs + k)));
+  return moved <= most;
+}
+
 /// Whether what was solved holds of the pairs that are found where it leads to.
 bool Moving::holds_here(Solution& solution, const std::vector<PairName>& solved,
                         const FrictionLaw& law) const {
   if (names_of_pairs(model) != solved || model.law.pair != law.pair) return false;
   Certificate here = certify(model.programme, solution.refined, model.law);
   here.balance = imbalance(model, solution.contact, solution.refined.force);
-  if (!here.holds()) return false;
+  const VectorXd movement = gaps(model.programme, solution.refined);
+  if (!here.holds() || !keeps_still(model.programme, solution.refined.displacement, movement,
+                                    solution.contact))
+    return false;
   solution.certificate = here;
+  read_movements(movement, solution.contact);
   solution.pressure = solution.contact.force.cwiseQuotient(model.pairs.weight);
   return true;
 }
