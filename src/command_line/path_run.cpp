@@ -139,8 +139,9 @@ std::vector<Column> columns(const SceneRun& run, const Model* model, const Step*
     if (run.model->bodies[0].material.base.state != PlaneState::Axial)
       add("force x", "%.5g", [&] { return sum->force.x(); });
     add("force y", "%.5g", [&] { return sum->force.y(); });
-    if (frictional) add("dissipated_total", "%.5g",
-                        [&] { return sum->dissipated_total + step->state.dissipated_elsewhere; });
+    if (frictional)
+      add("dissipated_total", "%.5g",
+          [&] { return sum->dissipated_total + step->state.dissipated_elsewhere; });
   }
   add("certificate", "%.1e", [&] { return step->solution.certificate.worst(); });
   return all;
@@ -338,7 +339,8 @@ void PathTeller::tell(const SceneRun& run, const Model& model, const Step& step)
   if (as_json_) {
     json_.object().key("step").value(step.state.steps).key("time").value(step.state.time);
     if (!run.plan.law.pair.empty())
-      json_.key("dissipated_total").value(step.state.dissipation.sum() + step.state.dissipated_elsewhere);
+      json_.key("dissipated_total")
+          .value(step.state.dissipation.sum() + step.state.dissipated_elsewhere);
     write_result(json_, model, step.solution, &step.state);
     json_.end();
     return;

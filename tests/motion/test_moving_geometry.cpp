@@ -46,7 +46,8 @@ VectorXd seen(Model& model, const NodeArray& displacement, const NodeArray& befo
   VectorXd u(model.unknowns.count);
   for (Index node = 0; node < displacement.rows(); ++node)
     for (const Index axis : {0, 1})
-      if (const Index k = model.unknowns.number(node, axis); k >= 0) u(k) = displacement(node, axis);
+      if (const Index k = model.unknowns.number(node, axis); k >= 0)
+        u(k) = displacement(node, axis);
   VectorXd all = model.programme.initial_gap - model.programme.A * u;
   const Index pairs = model.pairs.weight.size();
   // What supports hold moves as well.
@@ -54,7 +55,8 @@ VectorXd seen(Model& model, const NodeArray& displacement, const NodeArray& befo
   const Eigen::Map<const VectorXd> flat(rest.data(), rest.size());
   all.head(pairs) += model.pairs.opening * flat;
   const VectorXd slip = model.pairs.sliding * flat;
-  for (Index k = 0; k < all.size() - pairs; ++k) all(pairs + k) += slip(model.law.pair[std::size_t(k)]);
+  for (Index k = 0; k < all.size() - pairs; ++k)
+    all(pairs + k) += slip(model.law.pair[std::size_t(k)]);
   return all;
 }
 
@@ -66,7 +68,8 @@ std::string unsolved(const Scene& scene, SolveStatus status) {
 
 }  // namespace
 
-TEST_CASE("placed where the scene has them, bodies have the linear problem, bit by bit", "[motion]") {
+TEST_CASE("placed where the scene has them, bodies have the linear problem, bit by bit",
+          "[motion]") {
   Scene scene = moving_blocks();
   Model moves = built(scene);
   scene.moves = false;
@@ -129,7 +132,8 @@ TEST_CASE("a turn of both bodies by any angle opens no gap and is no slip", "[mo
   }
 }
 
-TEST_CASE("a block is dragged over many sides of a stiff base: friction is mu times pressure", "[motion]") {
+TEST_CASE("a block is dragged over many sides of a stiff base: friction is mu times pressure",
+          "[motion]") {
   MovingBlocks of;
   of.stiffness = 1e6;
   of.base_cells = 40;
@@ -157,13 +161,14 @@ TEST_CASE("a block is dragged over many sides of a stiff base: friction is mu ti
   CHECK((most - least) / most <= 2e-5);
 }
 
-TEST_CASE("a block that sticks rides on its base as far as that goes", "[motion]") {
+TEST_CASE("a block and its base that go the same way keep what they have", "[motion]") {
   Scene scene = moving_blocks();
   scene.bodies[0].supports = {prescribed("bottom", Axis::X, 3), prescribed("bottom", Axis::Y, 0)};
   scene.bodies[0].supports[0].history = "drag";
   scene.contacts[0].friction = Friction{5, 0};
   std::vector<Step> steps;
-  const PathEnd end = solve_steps(scene, [&](const Model&, const Step& step) { steps.push_back(step); });
+  const PathEnd end =
+      solve_steps(scene, [&](const Model&, const Step& step) { steps.push_back(step); });
   INFO(end.reason);
   REQUIRE(end.status == SolveStatus::Solved);
   for (const Step& step : steps) {
@@ -173,7 +178,26 @@ TEST_CASE("a block that sticks rides on its base as far as that goes", "[motion]
   }
 }
 
-TEST_CASE("friction remembers along the surface what slid where nodes lose their pairs", "[motion]") {
+// Nothing holds the block but contact: its amplitudes are unknowns of every linear problem, and it goes along as a whole.
+TEST_CASE("a loose block rides on a base that moves away", "[motion]") {
+  Scene scene = moving_blocks();
+  scene.bodies[0].supports = {prescribed("bottom", Axis::X, 50), prescribed("bottom", Axis::Y, 0)};
+  scene.bodies[0].supports[0].history = "drag";
+  scene.bodies[1].supports.clear();
+  scene.bodies[1].loads.edges = {{"top", 5, {}, "press"}};
+  std::vector<Step> steps;
+  const PathEnd end =
+      solve_steps(scene, [&](const Model&, const Step& step) { steps.push_back(step); });
+  INFO(end.reason);
+  REQUIRE(end.status == SolveStatus::Solved);
+  const NodeArray& first = steps.front().solution.displacements[1];
+  const NodeArray& last = steps.back().solution.displacements[1];
+  CHECK(((last - first).col(0).array() - 50).abs().maxCoeff() <= 1e-10);
+  CHECK((last - first).col(1).cwiseAbs().maxCoeff() <= 1e-10);
+}
+
+TEST_CASE("friction remembers along the surface what slid where nodes lose their pairs",
+          "[motion]") {
   MovingBlocks of;
   of.drag = 4.5;  // the last quarter of the block goes over the end of the base
   of.steps = 18;
@@ -189,12 +213,21 @@ TEST_CASE("friction remembers along the surface what slid where nodes lose their
   REQUIRE(end.status == SolveStatus::Solved);
   CHECK(left > 0);
   CHECK(end.state.dissipated_elsewhere > 0);
+  std::ostringstream out;
+  write_state(end.state, out);
+  const PathState again = read_state(out.str(), "saved");
+  CHECK(again.dissipated_elsewhere == end.state.dissipated_elsewhere);
+  CHECK(again.solution.force == end.state.solution.force);
+  CHECK_THAT(
+      problem_message([&] { static_cast<void>(read_state(out.str() + "more 1\n", "saved")); }),
+      ContainsSubstring("the end of the file"));
 }
 
 TEST_CASE("a path of moving bodies goes on from a state to the same bits", "[motion]") {
   const Scene scene = moving_blocks();
   std::vector<PathState> all;
-  static_cast<void>(solve_steps(scene, [&](const Model&, const Step& step) { all.push_back(step.state); }));
+  static_cast<void>(
+      solve_steps(scene, [&](const Model&, const Step& step) { all.push_back(step.state); }));
   REQUIRE(all.size() == 13);
   std::ostringstream out;
   write_state(all[6], out);
@@ -214,11 +247,13 @@ TEST_CASE("a path of moving bodies goes on from a state to the same bits", "[mot
   CHECK(k == all.size());
   MovingBlocks other;
   other.press = 0.02;
-  CHECK_THAT(problem_message([&] { static_cast<void>(solve_steps(moving_blocks(other), {}, saved)); }),
-             ContainsSubstring("is of another scene"));
+  CHECK_THAT(
+      problem_message([&] { static_cast<void>(solve_steps(moving_blocks(other), {}, saved)); }),
+      ContainsSubstring("is of another scene"));
   other.cells = 6;
-  CHECK_THAT(problem_message([&] { static_cast<void>(solve_steps(moving_blocks(other), {}, saved)); }),
-             ContainsSubstring("is of another scene"));
+  CHECK_THAT(
+      problem_message([&] { static_cast<void>(solve_steps(moving_blocks(other), {}, saved)); }),
+      ContainsSubstring("is of another scene"));
 }
 
 TEST_CASE("what bodies that move cannot have is refused with the way out", "[motion]") {
@@ -238,14 +273,16 @@ TEST_CASE("what bodies that move cannot have is refused with the way out", "[mot
              ContainsSubstring("mortar") && ContainsSubstring("segments"));
   CHECK_THAT(message([](Scene& s) { s.contacts[0].quadrature = Quadrature::SourceEdges; }),
              ContainsSubstring("quadrature"));
-  CHECK_THAT(message([](Scene& s) { s.contacts[0].interference = 0.1; }), ContainsSubstring("draw"));
+  CHECK_THAT(message([](Scene& s) { s.contacts[0].interference = 0.1; }),
+             ContainsSubstring("draw"));
   CHECK_THAT(message([](Scene& s) { s.contacts[0].adjust = 0.1; }), ContainsSubstring("draw"));
   CHECK_THAT(message([](Scene& s) { s.contacts[0].small_sliding = true; }),
              ContainsSubstring("leave small_sliding out"));
   CHECK_THAT(message([](Scene& s) { s.contacts.clear(); }), ContainsSubstring("without contact"));
 }
 
-TEST_CASE("a source that leaves its target for good ends the path at the last good state", "[motion]") {
+TEST_CASE("a source that leaves its target for good ends the path at the last good state",
+          "[motion]") {
   MovingBlocks of;
   of.drag = 7;
   of.steps = 14;
@@ -254,7 +291,8 @@ TEST_CASE("a source that leaves its target for good ends the path at the last go
   const PathEnd end = solve_steps(scene);
   CHECK(end.status == SolveStatus::IterationLimit);
   CHECK(end.state.time > 1.5);
-  CHECK_THAT(end.reason, ContainsSubstring("no pairs are found") && ContainsSubstring("the last good state"));
+  CHECK_THAT(end.reason,
+             ContainsSubstring("no pairs are found") && ContainsSubstring("the last good state"));
   CHECK_NOTHROW([&] {
     Model model = built(scene);
     check_state(end.state, model);
@@ -277,7 +315,8 @@ TEST_CASE("a body that turns is noted, and refused beyond 1e-2", "[motion]") {
   CHECK_THAT(unsolved(scene(0.03), SolveStatus::TurnedTooFar),
              ContainsSubstring("body 'block' has turned by 0.01"));
   std::vector<std::string> notes;
-  const PathEnd end = solve_steps(scene(0.004), [&](const Model&, const Step& step) { notes = step.solution.notes; });
+  const PathEnd end = solve_steps(
+      scene(0.004), [&](const Model&, const Step& step) { notes = step.solution.notes; });
   CHECK(end.status == SolveStatus::Solved);
   CHECK(std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
     return note.find("has turned by 0.00") != std::string::npos;

@@ -5,7 +5,8 @@
 using namespace signorini;
 using namespace signorini_test;
 
-TEST_CASE("random bodies that move are never silently wrong, and mostly solved", "[motion][random]") {
+TEST_CASE("random bodies that move are never silently wrong, and mostly solved",
+          "[motion][random]") {
   int unsolved = 0;
   for (std::uint64_t seed = 0; seed < 150; ++seed) {
     const Trial trial = try_scene(seed, RandomScenes::Moving);
@@ -19,9 +20,8 @@ TEST_CASE("random bodies that move are never silently wrong, and mostly solved",
 TEST_CASE("that check notices forces and places that are a little off", "[motion][random]") {
   for (const std::uint64_t seed : {1, 2, 3}) {
     CAPTURE(seed);
-    const Trial forces = try_scene(seed, RandomScenes::Moving, "", [](Solution& solution) {
-      solution.refined.force *= 1 + 1e-6;
-    });
+    const Trial forces = try_scene(seed, RandomScenes::Moving, "",
+                                   [](Solution& solution) { solution.refined.force *= 1 + 1e-6; });
     CHECK(forces.outcome == Outcome::Wrong);
     const Trial places = try_scene(seed, RandomScenes::Moving, "", [](Solution& solution) {
       for (NodeArray& moved : solution.displacements) moved *= 1 + 1e-6;

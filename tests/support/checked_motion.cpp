@@ -66,8 +66,7 @@ SceneErrors check_motion(const Scene& scene, const Model& model, const VectorXd&
   const VectorXd slid = selected_rows(model.pairs.sliding, model.law.pair) * moved;
   const double far = slid.size() == 0 ? 0 : slid.cwiseAbs().maxCoeff();
   for (Index k = 0; k < slips; ++k)
-    if (std::abs(slid(k)) > 0.25 * far &&
-        step.solution.contact.friction(k) * slid(k) > 0 &&
+    if (std::abs(slid(k)) > 0.25 * far && step.solution.contact.friction(k) * slid(k) > 0 &&
         std::abs(step.solution.contact.slip(k)) > 0.25 * far)
       errors.sliding = HUGE_VAL;
   return errors;

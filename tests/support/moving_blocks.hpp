@@ -8,12 +8,12 @@ namespace signorini_test {
 /// What may be chosen of such a scene.
 struct MovingBlocks {
   double friction = 0.3;
-  double stiffness = 1000;      ///< of the base; the block has 1000
+  double stiffness = 1000;       ///< of the base; the block has 1000
   Eigen::Index base_cells = 24;  ///< along its length 6
-  Eigen::Index cells = 5;       ///< of the block, along each side of length 1
-  double press = 0.01;          ///< by how much the top of the block is moved down
-  double drag = 3;              ///< and then along
-  int steps = 12;               ///< of the drag
+  Eigen::Index cells = 5;        ///< of the block, along each side of length 1
+  double press = 0.01;           ///< by how much the top of the block is moved down
+  double drag = 3;               ///< and then along
+  int steps = 12;                ///< of the drag
   signorini::MeshOrder order = signorini::MeshOrder::Linear;
   signorini::PlaneState state = signorini::PlaneState::Strain;
 };

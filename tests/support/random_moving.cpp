@@ -23,7 +23,8 @@ struct Units {
     return upright ? Vector2d(-v.y(), v.x()) : v;
   }
   [[nodiscard]] Mesh placed(const Mesh& mesh) const {
-    return mapped(mesh, [this](const Vector2d& x) -> Vector2d { return length * turned(x + shift); });
+    return mapped(mesh,
+                  [this](const Vector2d& x) -> Vector2d { return length * turned(x + shift); });
   }
 };
 
@@ -102,8 +103,8 @@ Scene random_moving(Draws& draw) {
   const double mu = draw.pick({0.0, 0.1, 0.3, 0.5});
   // Where the top of the tool is loaded it may tip, and much friction would turn it.
   const bool loaded = draw.chance(3) && mu <= 0.1 && round == 0;
-  press_and_drag(draw, units, draw.decade(-6, -3) * draw.whole(1, 3), draw.sixteenths(1, 40), loaded,
-                 scene.bodies[1]);
+  press_and_drag(draw, units, draw.decade(-6, -3) * draw.whole(1, 3), draw.sixteenths(1, 40),
+                 loaded, scene.bodies[1]);
   const Side of_base{"top", "base"};
   const Side of_tool{"bottom", "tool"};
   const bool base_source = draw.chance(4);

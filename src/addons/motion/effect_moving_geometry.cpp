@@ -23,7 +23,8 @@ void check_contact(const ContactSpec& contact, const Plan& draft) {
                   what, ": where ", moves, ", gaps must not jump as nodes pass from side to side: ",
                   "take operator = \"mortar\" with quadrature = \"segments\"");
   require_input(contact.interference.value_or(0) == 0 && contact.adjust.value_or(0) == 0, what,
-                ": where ", moves, ", gaps are those of the meshes: draw interference or adjusted "
+                ": where ", moves,
+                ", gaps are those of the meshes: draw interference or adjusted "
                 "gaps into them");
   require_input(!contact.small_sliding, what, ": where ", moves,
                 ", no sliding is too far: leave small_sliding out");
@@ -46,8 +47,9 @@ void declare_moving(const Scene& scene, Plan& draft) {
   require_input(scene.path.has_value(), moves,
                 ": they do so in load steps, even if it is one: add [[steps]] with until = 1 and "
                 "count = 1 or more");
-  require_input(!scene.contacts.empty(), moves, ", but without contact their places mean nothing: "
-                                                "leave it out");
+  require_input(!scene.contacts.empty(), moves,
+                ", but without contact their places mean nothing: "
+                "leave it out");
   for (const ContactSpec& contact : scene.contacts) check_contact(contact, draft);
   draft.followed.reset();
   draft.loop = std::make_shared<const StepLoop>(
@@ -55,16 +57,18 @@ void declare_moving(const Scene& scene, Plan& draft) {
                                                   const NodeArray& before, Model& model) {
         place_bodies(*contacts, displacement, before, model);
       }));
-  draft.on.push_back(text("moving geometry: pairs are found anew in every iteration of a step, 5 to "
-                          "15 of them; one factor, a compliance each; strains and turns are small"));
+  draft.on.push_back(
+      text("moving geometry: pairs are found anew in every iteration of a step, 5 to "
+           "15 of them; one factor, a compliance each; strains and turns are small"));
 }
 
 }  // namespace
 
 void register_motion() {
-  add_effect({"moving geometry", [](const Scene& scene, const Plan& /*draft*/) { return scene.moves; },
-              declare_moving, nullptr},
-             "load steps");
+  add_effect(
+      {"moving geometry", [](const Scene& scene, const Plan& /*draft*/) { return scene.moves; },
+       declare_moving, nullptr},
+      "load steps");
 }
 
 }  // namespace signorini

@@ -10,6 +10,7 @@
 #include "addons/motion/moved_pairs.hpp"
 
 #include <memory>
+#include <string>
 
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/effects.hpp"
@@ -52,6 +53,19 @@ NodeArray nodes_of(const std::vector<BodyModel>& bodies) {
   return nodes;
 }
 
+Eigen::Map<const Eigen::VectorXd> flat(const NodeArray& all) { return {all.data(), all.size()}; }
+
+/// Rows of bodies that have moved by \f$ \hat u \f$ are tangents there. A gap that is seen there belongs to \f$ \hat u \f$, so
+/// that the number without any displacement is \f$ g - N\hat u \f$, and likewise of the slip. A rigid obstacle stands still:
+/// what a node has moved since the last step is its slip.
+std::string count_from_the_meshes(const Standing& standing, Pairs& pairs) {
+  pairs.initial_gap -= pairs.opening * flat(standing.displacement);
+  if (pairs.sliding.nonZeros() == 0) return {};
+  if (pairs.slid.size() == 0) pairs.slid = pairs.sliding * flat(standing.since);
+  pairs.slid -= pairs.sliding * flat(standing.displacement);
+  return {};
+}
+
 }  // namespace
 
 void place_bodies(const Scene& scene, const NodeArray& displacement, const NodeArray& before,
@@ -61,6 +75,9 @@ void place_bodies(const Scene& scene, const NodeArray& displacement, const NodeA
   const NodeArray earlier = still + before;
   Plan draft;
   draft.standing = std::make_shared<const Standing>(Standing{now - still, earlier, now - earlier});
+  draft.fits = {[&standing = *draft.standing](const ContactSpec& /*contact*/, Pairs& pairs) {
+    return count_from_the_meshes(standing, pairs);
+  }};
   draft.unknowns = model.unknowns;
   draft.gaps.A.resize(0, model.unknowns.count);
   draft.gaps.pairs.opening.resize(0, still.size());

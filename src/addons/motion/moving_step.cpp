@@ -15,6 +15,7 @@
 
 #include "addons/motion/moved_pairs.hpp"
 #include "addons/motion/turns.hpp"
+#include "signorini/contact/gaps.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/problem/active_set_system.hpp"
@@ -31,6 +32,13 @@ using Eigen::VectorXd;
 /// needs more than this many is none that ends.
 constexpr int most_iterations = 60;
 
+/// The problem that an iteration has solved.
+struct Linearised {
+  std::vector<PairName> names;
+  FrictionLaw law;
+  VectorXd pushed;  ///< `n` what its forces do to the unknowns [force]
+};
+
 /// A step while it is solved.
 struct Moving {
   const decltype(StepLoop::place)& place;
@@ -42,8 +50,7 @@ struct Moving {
 
   Solution linear_problem();
   bool goes_to(const Solution& solution, std::string& reason);
-  [[nodiscard]] bool holds_here(Solution& solution, const std::vector<PairName>& solved,
-                                const FrictionLaw& law) const;
+  [[nodiscard]] bool holds_here(Solution& solution, const Linearised& solved) const;
   Solution solved();
 };
 
@@ -84,12 +91,25 @@ void read_movements(const VectorXd& movement, ContactState& contact) {
       contact.slip(k) = movement(pairs + k);
 }
 
-/// Whether pairs that are closed or stick do so where the bodies stand, as well as a certificate wants penetration small: what
-/// it calls complementarity is a product, in which a small force would hide an open gap.
-bool keeps_still(const QuadraticProgramme& programme, const VectorXd& u, const VectorXd& movement,
-                 const ContactState& contact) {
+/// How far nodes have moved beside the mean of their piece [length]: what strains and turns bodies, however far they went.
+double largest_beside_the_mean(const Model& model, const std::vector<NodeArray>& displacements) {
+  double most = 0;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b)
+    for (const MeshPiece& piece : model.bodies[b].pieces) {
+      const NodeArray own = displacements[b](piece.nodes, Eigen::all);
+      most = std::max(most, (own.rowwise() - own.colwise().mean()).cwiseAbs().maxCoeff());
+    }
+  return most;
+}
+
+/// Whether pairs that are closed or stick do so where the bodies stand. A certificate measures them by all that bodies have
+/// moved, and by a product with a force, which may be small. Here they are measured by what strains the bodies, as far as the
+/// rounding of positions lets it.
+bool keeps_still(const Model& model, const Solution& solution, const VectorXd& movement) {
+  const ContactState& contact = solution.contact;
   const double most =
-      certificate_tolerance * largest(programme.A.cwiseAbs() * u.cwiseAbs());
+      std::max(certificate_tolerance * largest_beside_the_mean(model, solution.displacements),
+               gap_rounding(model.pairs));
   const Index pairs = contact.gap.size();
   double moved = 0;
   for (const Index pair : contact.active) moved = std::max(moved, std::abs(movement(pair)));
@@ -99,15 +119,16 @@ bool keeps_still(const QuadraticProgramme& programme, const VectorXd& u, const V
   return moved <= most;
 }
 
-/// Whether what was solved holds of the pairs that are found where it leads to.
-bool Moving::holds_here(Solution& solution, const std::vector<PairName>& solved,
-                        const FrictionLaw& law) const {
-  if (names_of_pairs(model) != solved || model.law.pair != law.pair) return false;
+/// Whether what was solved holds of the pairs that are found where it leads to. The certificate measures what is out of balance by
+/// loads too, and given displacements that carry a body far are large ones: so the same forces must also push the same way.
+bool Moving::holds_here(Solution& solution, const Linearised& solved) const {
+  if (names_of_pairs(model) != solved.names || model.law.pair != solved.law.pair) return false;
   Certificate here = certify(model.programme, solution.refined, model.law);
   here.balance = imbalance(model, solution.contact, solution.refined.force);
   const VectorXd movement = gaps(model.programme, solution.refined);
-  if (!here.holds() || !keeps_still(model.programme, solution.refined.displacement, movement,
-                                    solution.contact))
+  const VectorXd pushes = model.programme.A.transpose() * solution.refined.force;
+  if (!here.holds() || !keeps_still(model, solution, movement) ||
+      largest(pushes - solved.pushed) > certificate_tolerance * largest(pushes))
     return false;
   solution.certificate = here;
   read_movements(movement, solution.contact);
@@ -119,26 +140,28 @@ Solution Moving::solved() {
   Solution solution;
   std::string reason;
   for (int iteration = 1; iteration <= most_iterations; ++iteration) {
-    const std::vector<PairName> names = names_of_pairs(model);
-    const FrictionLaw law = model.law;
+    Linearised problem{names_of_pairs(model), model.law, {}};
     solution = linear_problem();
     if (solution.contact.report.status != SolveStatus::Solved) return solution;
+    problem.pushed = model.programme.A.transpose() * solution.refined.force;
     ledger = std::move(solution.ledger);
     if (!goes_to(solution, reason)) break;
-    if (holds_here(solution, names, law)) {
+    if (holds_here(solution, problem)) {
       judge_turns(model, solution);
       solution.ledger = std::move(ledger);
       return solution;
     }
-    options.start = handed_on(names, all_statuses(solution.contact), model);
+    options.start = handed_on(problem.names, all_statuses(solution.contact), model);
   }
   solution.ledger = std::move(ledger);
   solution.contact.report.status = SolveStatus::IterationLimit;
   solution.contact.reason =
-      reason.empty() ? text("where the bodies come to stand other pairs are found each time, after ",
-                            most_iterations, " searches: take shorter steps, and the softer and finer "
-                            "side as the source")
-                     : text("where the bodies come to stand no pairs are found: ", reason);
+      reason.empty()
+          ? text("where the bodies come to stand other pairs are found each time, after ",
+                 most_iterations,
+                 " searches: take shorter steps, and the softer and finer "
+                 "side as the source")
+          : text("where the bodies come to stand no pairs are found: ", reason);
   return solution;
 }
 

@@ -375,8 +375,7 @@ bool Walk::reaches(double time) {
       if (reach >= held) return false;
       reach = std::min(target, held);
       halved = 0;
-    } else if (end.status == SolveStatus::SlidTooFar ||
-               end.status == SolveStatus::TurnedTooFar) {
+    } else if (end.status == SolveStatus::SlidTooFar || end.status == SolveStatus::TurnedTooFar) {
       return false;  // no shorter way leads there
     } else if (end.limit && !known) {
       held = *end.limit - limit_margin * (target - before);

@@ -13,7 +13,7 @@ using Eigen::VectorXd;
 
 constexpr const char* first_line = "signorini-state-1";
 constexpr const char* elsewhere = "dissipated-elsewhere";  // only where bodies move
-constexpr std::string_view status_letters = "osfb";  // in the order of ContactStatus
+constexpr std::string_view status_letters = "osfb";        // in the order of ContactStatus
 
 /// The vectors of a state, by name.
 template <typename State, typename Visit>

@@ -53,45 +53,41 @@ void write_matrix(const Entries& entries, const Eigen::VectorXd& total, Index co
   for (Index row = 0; row < total.size(); ++row) matrix.row(row) /= total(row);
 }
 
-/// Nodes of source and target, in the same place of time.
-struct NodesOfBoth {
-  const NodeArray& source;
-  const NodeArray& target;
-  Index first_source = 0;
-  Index first_target = 0;
-};
-
-/// How far two places lie apart along the target: \f$ t\cdot(x - \bar x) \f$, summed from a node of the
-/// target, so that nothing is lost far from the origin. The tangent runs against the walking direction.
-double apart(const SideCurve& source, double xi, const SideCurve& target, double target_xi,
-             const NodesOfBoth& nodes) {
-  const auto anchor = nodes.target.row(nodes.first_target + target.nodes().front());
+/// How far the two places of a point lie apart along the target: \f$ t\cdot(x - \bar x) \f$, summed from
+/// a node of the target, so that nothing is lost far from the origin. The tangent runs against the
+/// walking direction. Where the nodes of each body are is the caller's choice: now or before.
+template <typename Nodes>
+double apart(const PairPoint& point, const SideCurve& target, const Nodes& of_source,
+             const Nodes& of_target) {
+  const Vector2d anchor = of_target(target.nodes().front());
   Vector2d way = {0, 0};
   Vector2d along = {0, 0};
-  const SideShape of_source = source.shape(xi);
-  for (std::size_t k = 0; k < source.nodes().size(); ++k)
-    way += of_source.value(static_cast<Index>(k)) *
-           (nodes.source.row(nodes.first_source + source.nodes()[k]) - anchor).transpose();
-  const SideShape of_target = target.shape(target_xi);
+  const SideShape here = point.side->shape(point.xi);
+  const SideShape there = target.shape(point.place.xi);
+  for (std::size_t k = 0; k < point.side->nodes().size(); ++k)
+    way += here.value(static_cast<Index>(k)) * (of_source(point.side->nodes()[k]) - anchor);
   for (std::size_t k = 0; k < target.nodes().size(); ++k) {
-    const Vector2d node =
-        (nodes.target.row(nodes.first_target + target.nodes()[k]) - anchor).transpose();
-    way -= of_target.value(static_cast<Index>(k)) * node;
-    along -= of_target.slope(static_cast<Index>(k)) * node;
+    const Vector2d node = of_target(target.nodes()[k]) - anchor;
+    way -= there.value(static_cast<Index>(k)) * node;
+    along -= there.slope(static_cast<Index>(k)) * node;
   }
   return way.dot(along.normalized());
 }
 
 /// How far a point has slid since the nodes stood elsewhere: by how much two places that face each
-/// other now lay apart along the target then. At rest both terms are the same number, and nothing has
-/// slid.
+/// other now lay apart along the target then. Take a node that stood above the place 0 of a straight
+/// target and is above the place 0.37 now. That place lay 0.37 to the right of it, and so much it has
+/// slid. If both bodies have turned meanwhile, the tangents are those of now and then, and the number
+/// is the same. At rest both terms are the same, and nothing has slid.
 double slid(const Interface& interface, const PairPoint& point, const NodeArray& before) {
   const SideCurve& target = interface.search.side(point.place.side);
-  const auto when = [&](const NodesOfBoth& nodes) {
-    return apart(*point.side, point.xi, target, point.place.xi, nodes);
+  const auto in = [](const NodeArray& nodes, Index first) {
+    return [&nodes, first](Index node) -> Vector2d { return nodes.row(first + node).transpose(); };
   };
-  return when({interface.source.mesh.nodes, interface.target.mesh.nodes}) -
-         when({before, before, interface.source.first_node, interface.target.first_node});
+  const Surface& one = interface.source;
+  const Surface& other = interface.target;
+  return apart(point, target, in(one.mesh.nodes, 0), in(other.mesh.nodes, 0)) -
+         apart(point, target, in(before, one.first_node), in(before, other.first_node));
 }
 
 }  // namespace

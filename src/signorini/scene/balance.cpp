@@ -52,7 +52,9 @@ Extent extent(const NodeArray& nodes) {
   return {middle, (nodes.rowwise() - middle.transpose()).rowwise().norm().maxCoeff()};
 }
 
-// Forces act where the bodies are: if pairs were found where they have moved to, there.
+// Forces act where the bodies are: if pairs were found where they have moved to, there. A couple of
+// forces that is in balance at one place of two bodies may turn them at another, so that moments
+// must be taken in the present places.
 Extent extent(const Model& model, const BodyModel& body) {
   if (!model.standing) return extent(body.mesh.nodes);
   const NodeArray& moved = model.standing->displacement;
