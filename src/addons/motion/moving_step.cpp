@@ -54,11 +54,12 @@ struct Moving {
   Solution solved();
 };
 
-/// Solves the contact problem of the pairs as they are placed.
+/// Solves the contact problem of the pairs as they are placed. That of a plan, in the phase `condensation`, is made once more
+/// for each.
 Solution Moving::linear_problem() {
   condensed.problem.law = model.law;
   {
-    const Ledger::Phase phase(ledger, "condensation");
+    const Ledger::Phase phase(ledger, "compliance");  // as often as pairs are found
     condensed.problem.compliance = condensed.factor.compliance(model.programme.A, ledger);
   }
   move_freely(model, std::exchange(condensed.free_displacement, {}), condensed);
