@@ -81,14 +81,14 @@ Scene random_moving(Draws& draw) {
   const PlaneState state = draw.chance(5) ? PlaneState::Stress : PlaneState::Strain;
   draw.say("length ", units.length, " stress ", units.stress, " shift ", units.shift.transpose(),
            units.upright ? " upright" : "", order == MeshOrder::Quadratic ? " quadratic" : "");
-  const double wave = draw.pick({0.0, 0.0, 0.002, 0.01});
+  const double wave = draw.pick({0.0, 0.0, 2e-4, 1e-3});
   const double round = draw.pick({0.0, 0.05, 0.3});
   const double start = draw.sixteenths(16, 32);
   const double gap = draw.pick({0.0, 0.0, 1e-4, -1e-4});
   const double width = draw.sixteenths(8, 20);
   Mesh base = block("base", {0, -1}, {6, 1}, draw.whole(10, 40), draw.whole(2, 4), order);
   base = mapped(base, [=](const Vector2d& x) -> Vector2d {
-    return {x.x(), x.y() + wave * (x.y() + 1) * (std::cos(2 * x.x()) - 1)};
+    return {x.x(), x.y() + wave * (x.y() + 1) * (std::cos(2 * (x.x() - start - width / 2)) - 1)};
   });
   Mesh tool = block("tool", {start, 0}, {width, 1}, draw.whole(2, 8), draw.whole(2, 5), order);
   tool = mapped(tool, [=](const Vector2d& x) -> Vector2d {
@@ -103,8 +103,9 @@ Scene random_moving(Draws& draw) {
   const double mu = draw.pick({0.0, 0.1, 0.3, 0.5});
   // Where the top of the tool is loaded it may tip, and much friction would turn it.
   const bool loaded = draw.chance(3) && mu <= 0.1 && round == 0;
-  press_and_drag(draw, units, draw.decade(-6, -3) * draw.whole(1, 3), draw.sixteenths(1, 40),
-                 loaded, scene.bodies[1]);
+  // So far that it stays pressed beside the waves.
+  const double strain = draw.decade(-6, -3) * draw.whole(1, 3) + 2 * wave + std::abs(gap);
+  press_and_drag(draw, units, strain, draw.sixteenths(1, 40), loaded, scene.bodies[1]);
   const Side of_base{"top", "base"};
   const Side of_tool{"bottom", "tool"};
   const bool base_source = draw.chance(4);

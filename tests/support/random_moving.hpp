@@ -7,7 +7,7 @@ namespace signorini_test {
 /// A tool that is pressed on a longer base and dragged along it, to and fro or all the way, in 3 to 12 steps.
 ///
 /// Base and tool are flat, wavy or round, coarse or fine, of linear or quadratic cells or of triangles, in plane strain or
-/// stress; their stiffness differs by up to six decades, strains are 1e-6 to 3e-3; any side is the source; friction to 0.5, with
+/// stress; their stiffness differs by up to six decades, strains are 1e-6 to 5e-3; any side is the source; friction to 0.5, with
 /// cohesion sometimes; the tool is moved or loaded, touches, overlaps or is near; units over six decades, far from the origin
 /// by up to 100 lengths, and turned by a right angle.
 /// \param draw  what is drawn next

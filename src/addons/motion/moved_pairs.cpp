@@ -55,15 +55,25 @@ NodeArray nodes_of(const std::vector<BodyModel>& bodies) {
 
 Eigen::Map<const Eigen::VectorXd> flat(const NodeArray& all) { return {all.data(), all.size()}; }
 
-/// Rows of bodies that have moved by \f$ \hat u \f$ are tangents there. A gap that is seen there belongs to \f$ \hat u \f$, so
-/// that the number without any displacement is \f$ g - N\hat u \f$, and likewise of the slip. A rigid obstacle stands still:
-/// what a node has moved since the last step is its slip.
-std::string count_from_the_meshes(const Standing& standing, Pairs& pairs) {
-  pairs.initial_gap -= pairs.opening * flat(standing.displacement);
-  if (pairs.sliding.nonZeros() == 0) return {};
-  if (pairs.slid.size() == 0) pairs.slid = pairs.sliding * flat(standing.since);
-  pairs.slid -= pairs.sliding * flat(standing.displacement);
+/// A rigid obstacle stands still: what a node has moved since the last step is its slip.
+std::string slide_along_obstacles(const Standing& standing, Pairs& pairs) {
+  if (pairs.slid.size() == 0 && pairs.sliding.nonZeros() > 0)
+    pairs.slid = pairs.sliding * flat(standing.since);
   return {};
+}
+
+/// What supports still have to move: given displacements are counted from where the bodies stand.
+Unknowns from_there(Unknowns unknowns, const NodeArray& displacement) {
+  unknowns.held = (unknowns.number < 0).select(unknowns.held - displacement, 0);
+  return unknowns;
+}
+
+/// Rows of bodies that have moved by \f$ \hat u \f$ are tangents there. A gap that is seen there belongs to \f$ \hat u \f$, so
+/// that the number without any displacement is \f$ g + A\hat u \f$, and that of the slip \f$ s - T\hat u \f$.
+void count_from_the_meshes(const NodeArray& displacement, const Unknowns& unknowns, Gaps& gaps) {
+  const Eigen::VectorXd u = restricted(unknowns, displacement);
+  gaps.pairs.initial_gap += gaps.A * u;
+  if (gaps.T.rows() > 0) gaps.initial_slip -= gaps.T * u;
 }
 
 }  // namespace
@@ -76,9 +86,9 @@ void place_bodies(const Scene& scene, const NodeArray& displacement, const NodeA
   Plan draft;
   draft.standing = std::make_shared<const Standing>(Standing{now - still, earlier, now - earlier});
   draft.fits = {[&standing = *draft.standing](const ContactSpec& /*contact*/, Pairs& pairs) {
-    return count_from_the_meshes(standing, pairs);
+    return slide_along_obstacles(standing, pairs);
   }};
-  draft.unknowns = model.unknowns;
+  draft.unknowns = from_there(model.unknowns, draft.standing->displacement);
   draft.gaps.A.resize(0, model.unknowns.count);
   draft.gaps.pairs.opening.resize(0, still.size());
   draft.gaps.pairs.sliding.resize(0, still.size());
@@ -87,6 +97,7 @@ void place_bodies(const Scene& scene, const NodeArray& displacement, const NodeA
     for (const Effect* effect : model.effects)
       if (effect->of_pairs) effect->declare(scene, draft);
   }
+  count_from_the_meshes(draft.standing->displacement, draft.unknowns, draft.gaps);
   model.standing = std::move(draft.standing);
   model.gaps = std::move(draft.gaps);
   model.contact_of = std::move(draft.contact_of);

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "addons/motion/moved_pairs.hpp"
@@ -47,10 +48,12 @@ struct Moving {
   Condensed& condensed;
   SolverOptions options;
   Ledger ledger;
+  double last_moved = std::numeric_limits<double>::infinity();  // see keeps_still()
 
   Solution linear_problem();
   bool goes_to(const Solution& solution, std::string& reason);
-  [[nodiscard]] bool holds_here(Solution& solution, const Linearised& solved) const;
+  bool keeps_still(const Solution& solution, const VectorXd& movement);
+  bool holds_here(Solution& solution, const Linearised& solved);
   Solution solved();
 };
 
@@ -70,10 +73,10 @@ Solution Moving::linear_problem() {
 bool Moving::goes_to(const Solution& solution, std::string& reason) {
   const Ledger::Phase phase(ledger, "pairs");
   const NodeArray from = model.standing->displacement;
-  NodeArray way = expand(model.unknowns, solution.refined.displacement) - from;
-  for (int halved = 0; halved <= model.path.halvings; ++halved, way *= 0.5) try {
+  const NodeArray there = expand(model.unknowns, solution.refined.displacement);
+  for (int halved = 0; halved <= model.path.halvings; ++halved) try {
       ledger.count("searches", 1);
-      place(from + way, before, model);
+      place(halved == 0 ? there : from + std::ldexp(1.0, -halved) * (there - from), before, model);
       return true;
     } catch (const ProblemError& error) {
       reason = error.what();
@@ -103,32 +106,36 @@ double largest_beside_the_mean(const Model& model, const std::vector<NodeArray>&
   return most;
 }
 
-/// Whether pairs that are closed or stick do so where the bodies stand. A certificate measures them by all that bodies have
-/// moved, and by a product with a force, which may be small. Here they are measured by what strains the bodies, as far as the
-/// rounding of positions lets it.
-bool keeps_still(const Model& model, const Solution& solution, const VectorXd& movement) {
-  const ContactState& contact = solution.contact;
-  const double most =
-      std::max(certificate_tolerance * largest_beside_the_mean(model, solution.displacements),
-               gap_rounding(model.pairs));
+/// By how much pairs that are closed or stick do not do so where the bodies stand [length].
+double movement_at_rest(const VectorXd& movement, const ContactState& contact) {
   const Index pairs = contact.gap.size();
   double moved = 0;
   for (const Index pair : contact.active) moved = std::max(moved, std::abs(movement(pair)));
   for (Index k = 0; k < contact.slip.size(); ++k)
     if (contact.contact_status[static_cast<std::size_t>(k)] == ContactStatus::Stick)
       moved = std::max(moved, std::abs(movement(pairs + k)));
-  return moved <= most;
+  return moved;
+}
+
+/// Whether pairs that are closed or stick do so where the bodies stand. A certificate measures them by all that bodies have
+/// moved, and by a product with a force, which may be small. Here they are measured by what strains the bodies; what rounding
+/// of positions makes is let pass where it no longer shrinks.
+bool Moving::keeps_still(const Solution& solution, const VectorXd& movement) {
+  const double moved = movement_at_rest(movement, solution.contact);
+  const bool shrinks = 2 * moved < std::exchange(last_moved, moved);
+  return moved <= certificate_tolerance * largest_beside_the_mean(model, solution.displacements) ||
+         (!shrinks && moved <= gap_rounding(model.pairs));
 }
 
 /// Whether what was solved holds of the pairs that are found where it leads to. The certificate measures what is out of balance by
 /// loads too, and given displacements that carry a body far are large ones: so the same forces must also push the same way.
-bool Moving::holds_here(Solution& solution, const Linearised& solved) const {
+bool Moving::holds_here(Solution& solution, const Linearised& solved) {
   if (names_of_pairs(model) != solved.names || model.law.pair != solved.law.pair) return false;
   Certificate here = certify(model.programme, solution.refined, model.law);
   here.balance = imbalance(model, solution.contact, solution.refined.force);
   const VectorXd movement = gaps(model.programme, solution.refined);
   const VectorXd pushes = model.programme.A.transpose() * solution.refined.force;
-  if (!here.holds() || !keeps_still(model, solution, movement) ||
+  if (!here.holds() || !keeps_still(solution, movement) ||
       largest(pushes - solved.pushed) > certificate_tolerance * largest(pushes))
     return false;
   solution.certificate = here;
