@@ -139,7 +139,9 @@ std::vector<Column> columns(const SceneRun& run, const Model* model, const Step*
     if (run.model->bodies[0].material.base.state != PlaneState::Axial)
       add("force x", "%.5g", [&] { return sum->force.x(); });
     add("force y", "%.5g", [&] { return sum->force.y(); });
-    if (frictional) add("dissipated_total", "%.5g", [&] { return sum->dissipated_total; });
+    if (frictional)
+      add("dissipated_total", "%.5g",
+          [&] { return sum->dissipated_total + step->state.dissipated_elsewhere; });
   }
   add("certificate", "%.1e", [&] { return step->solution.certificate.worst(); });
   return all;
@@ -206,17 +208,17 @@ void PathFiles::go_on(SceneRun& run, const std::string& file) {
   require_input(run.from.time < end, file, ": this state is that of time ", run.from.time,
                 ", but the load steps of ", run.file.name, " end at ", end,
                 ": nothing is left to solve. Add [[steps]] to go on");
-  if (!wanted_.csv.empty()) keep_table(run.from);
+  if (!wanted_.csv.empty()) keep_table(run.from, run.file.scene.moves);
   if (!wanted_.vtu.empty()) keep_fields(run.from, collection(wanted_.vtu));
 }
 
-void PathFiles::keep_table(const PathState& from) {
+void PathFiles::keep_table(const PathState& from, bool moves) {
   const std::string content = content_if_any(wanted_.csv);
   if (content.empty()) return late_.push_back(wanted_.csv);
   TableUntil kept = table_until(from.time, content);
   const Index rows = from.steps * static_cast<Index>(from.contact_status.size());
-  check_begun(kept.steps == from.steps && kept.rows == rows && kept.time == from.time, wanted_.csv,
-              from);
+  const bool whole = kept.rows == rows || moves;  // whose pairs come and go
+  check_begun(kept.steps == from.steps && whole && kept.time == from.time, wanted_.csv, from);
   from_ = from;
   head_ = std::move(kept.head);
   table_ = std::move(kept.lines);
@@ -337,7 +339,8 @@ void PathTeller::tell(const SceneRun& run, const Model& model, const Step& step)
   if (as_json_) {
     json_.object().key("step").value(step.state.steps).key("time").value(step.state.time);
     if (!run.plan.law.pair.empty())
-      json_.key("dissipated_total").value(step.state.dissipation.sum());
+      json_.key("dissipated_total")
+          .value(step.state.dissipation.sum() + step.state.dissipated_elsewhere);
     write_result(json_, model, step.solution, &step.state);
     json_.end();
     return;

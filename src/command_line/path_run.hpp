@@ -38,7 +38,7 @@ class PathFiles {
   [[nodiscard]] const std::vector<std::string>& late() const { return late_; }
 
  private:
-  void keep_table(const signorini::PathState& from);
+  void keep_table(const signorini::PathState& from, bool moves);
   void keep_fields(const signorini::PathState& from, const std::string& all);
   std::string rows_of(const signorini::Model& model, const signorini::Step& step);
 

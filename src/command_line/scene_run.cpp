@@ -94,7 +94,7 @@ void follow(SceneRun& run, Ledger ledger, const StepObserver& observe, const Pro
   progress.say(text("step ", run.from.steps + 1, ", ", left(run.from.time), " to go"));
   const Overdue overdue = watch(solving(), run);
   run.end = solve_steps(model, path, std::move(ledger), each, run.from);
-  set_time(run.end->state.time, model);
+  stand(run.end->state, model);
 }
 
 }  // namespace

@@ -52,6 +52,8 @@ std::map<std::string, Numbers> contents(const Model& model) {
   all["law"].assign(model.law.pair.begin(), model.law.pair.end());
   append(all["law"], model.law.coefficient);
   append(all["law"], model.law.cohesion);
+  all["loop"];
+  if (model.loop) all["loop"].push_back(1);  // functions have no numbers
   all["parts"];
   for (const LoadPart& part : model.parts) {
     append(all["parts"], part.load);
@@ -128,7 +130,7 @@ TEST_CASE(
   int refused = 0;
   for (const RandomScenes kind :
        {RandomScenes::Frictionless, RandomScenes::Frictional, RandomScenes::Varied,
-        RandomScenes::Revolved, RandomScenes::Paths})
+        RandomScenes::Revolved, RandomScenes::Paths, RandomScenes::Moving})
     for (std::uint64_t seed = 0; seed < 100; ++seed) {
       CAPTURE(seed);
       Scene scene = random_scene(seed, kind).scene;

@@ -187,6 +187,19 @@ TEST_CASE("the bolt of the examples is pressed as by a long tube", "[scene_file]
   CHECK(std::abs(run.solution.pressure(middle) / long_bodies - 1) < 0.02);
 }
 
+// Along a track that hardly gives way friction is mu times the pressure, over however many edges.
+TEST_CASE("the dragged block of the examples moves, at mu times its force", "[scene_file][examples]") {
+  const SceneFile file = read_scene(root / "examples" / "dragged_block.toml");
+  const PathEnd end = solve_steps(file.scene, [&](const Model& model, const Step& step) {
+    const Resultants sum = resultants(model, step.solution);
+    CHECK(step.solution.certificate.holds());
+    if (step.state.time > 1.3)
+      CHECK(std::abs(sum.force.x() / sum.force.y()) == Approx(0.3).epsilon(1e-5));
+  });
+  INFO(end.reason);
+  CHECK(end.status == SolveStatus::Solved);
+}
+
 TEST_CASE("the keys of the examples are those that are read", "[scene_file]") {
   CHECK(content("examples/results/keys.md") == key_reference());
   CHECK(content("examples/README.md")

@@ -169,6 +169,7 @@ Verdict verdict(const RandomCondensed& problem, const ContactState& state) {
     case SolveStatus::IterationLimit:
     case SolveStatus::Breakdown:
     case SolveStatus::SlidTooFar:
+    case SolveStatus::TurnedTooFar:
       break;
   }
   return Verdict::Failed;

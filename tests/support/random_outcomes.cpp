@@ -9,9 +9,11 @@
 #include "papers/solver_table.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/problem/active_set_system.hpp"
+#include "signorini/scene/readings.hpp"
 #include "signorini/solvers/fischer_burmeister.hpp"
 #include "signorini/solvers/lemke.hpp"
 #include "support/balance.hpp"
+#include "support/checked_motion.hpp"
 
 namespace signorini_test {
 namespace {
@@ -37,6 +39,7 @@ Outcome ending(const Solution& solution) {
     case SolveStatus::Feasible:
     case SolveStatus::Breakdown:
     case SolveStatus::SlidTooFar:
+    case SolveStatus::TurnedTooFar:
       break;
   }
   return Outcome::Breakdown;
@@ -133,7 +136,25 @@ Outcome try_next(const Scene& scene, const PathState& state, Trial& trial) {
   return ending(solution);
 }
 
+/// The same of bodies that move. Work is not added up.
+void try_motion(const Scene& scene, void (*change)(Solution& solution), Trial& trial) {
+  Eigen::VectorXd before;
+  trial.outcome = Outcome::Solved;
+  const PathEnd end = solve_steps(scene, [&](const Model& model, Step step) {
+    remember(step.solution, trial);
+    if (change != nullptr) change(step.solution);
+    judge(check_motion(scene, model, before, step), step.solution, trial);
+    before = all_displacements(model, step.solution.displacements);
+  });
+  trial.halvings = end.halvings;
+  if (end.status == SolveStatus::Solved || trial.outcome == Outcome::Wrong) return;
+  trial.text += "\n  " + end.reason;
+  trial.outcome = try_next(scene, end.state, trial);
+  if (trial.outcome == Outcome::Solved) trial.outcome = Outcome::Limit;
+}
+
 void try_path(const Scene& scene, void (*change)(Solution& solution), Trial& trial) {
+  if (scene.moves) return try_motion(scene, change, trial);
   CheckedPath check(scene);
   trial.outcome = Outcome::Solved;
   const PathEnd end = solve_steps(scene, [&](const Model& model, Step step) {
@@ -179,7 +200,7 @@ Trial try_scene(std::uint64_t seed, RandomScenes kind, const std::string& solver
   RandomScene drawn = random_scene(seed, kind);
   if (!solver.empty()) drawn.scene.solver = find_solver(solver);
   // The linear problem is looked at, whether its pairs are those of bodies that moved or not.
-  for (ContactSpec& contact : drawn.scene.contacts) contact.small_sliding = true;
+  for (ContactSpec& contact : drawn.scene.contacts) contact.small_sliding = !drawn.scene.moves;
   Trial trial;
   trial.text = std::move(drawn.text);
   const auto start = std::chrono::steady_clock::now();

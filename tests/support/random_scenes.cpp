@@ -8,6 +8,7 @@
 #include "meshes/split.hpp"
 #include "signorini/core/errors.hpp"
 #include "support/far.hpp"
+#include "support/random_moving.hpp"
 #include "support/random_paths.hpp"
 #include "support/random_wrongs.hpp"
 
@@ -369,6 +370,11 @@ RandomScene random_scene(std::uint64_t seed, RandomScenes kind) {
     drawn.wrong = spoil(draw, drawn.scene);
     drawn.text += draw.text;
     return drawn;
+  }
+  if (kind == RandomScenes::Moving) {
+    Draws draw(seed);
+    Scene scene = random_moving(draw);
+    return {std::move(scene), std::move(draw.text)};
   }
   const bool path = kind == RandomScenes::Paths;
   RandomScene plane =

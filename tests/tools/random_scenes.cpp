@@ -1,6 +1,6 @@
 // Solves random scenes and counts what became of them.
 // Run:  random_scenes KIND SOLVER FIRST COUNT [OUTCOME ...]
-// KIND is frictionless, frictional, varied, revolved, triangles, paths or any, SOLVER a name, `default`, or `plain` for the default
+// KIND is frictionless, frictional, varied, revolved, triangles, paths, moving or any, SOLVER a name, `default`, or `plain` for the default
 // without the add-on certified; seeds that end in
 // a named OUTCOME are listed with their scenes. Ends with 1 if a scene ended as none may.
 // With the OUTCOME `motions` there is one line per seed: how it ended, the bits of its numbers, the motions of its pairs.
@@ -25,6 +25,7 @@ int main(int argc, char** argv) try {
                                                      {"revolved", RandomScenes::Revolved},
                                                      {"triangles", RandomScenes::Triangles},
                                                      {"paths", RandomScenes::Paths},
+                                                     {"moving", RandomScenes::Moving},
                                                      {"any", RandomScenes::Any}};
   const RandomScenes kind = kinds.at(word);
   if (argv[2] == std::string("plain")) signorini::set_solve(signorini::solve_plainly);

@@ -40,15 +40,18 @@ void judge_sliding(const Model& model, const Condensed& condensed,
     if (one.normal <= none()) continue;
     const std::string words = text("contact ", model.contacts[k], ": ", in_words(model, one));
     if (!past || model.small_sliding[k]) {
-      solution.notes.push_back(text(
-          words, ". Take smaller movements, or move the meshes near to where they come to stand"));
+      solution.notes.push_back(text(words,
+                                    ". Let the bodies move (moves = true, with [[steps]]), take "
+                                    "smaller movements, or move the "
+                                    "meshes near to where they come to stand"));
       continue;
     }
     solution.contact.report.status = SolveStatus::SlidTooFar;
     solution.contact.reason =
         text(words,
-             ". Move the meshes near to where they come to stand, or, if the force may act where "
-             "it does, set small_sliding = true in this contact");
+             ". Let the bodies move (moves = true, with [[steps]]), move the meshes near to where "
+             "they come to stand, or, if the force may act where it does, set small_sliding = true "
+             "in this contact");
     return;
   }
 }

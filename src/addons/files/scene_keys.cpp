@@ -98,6 +98,12 @@ void read_friction(const Value& value, ContactDraft& contact) {
         "expected a coefficient or a cohesion, got neither: give one, or leave friction out");
 }
 
+void read_halvings(const Value& value, SceneDraft& draft) {
+  std::optional<Path>& path = draft.file.scene.path;
+  if (!path) value.fail("has no meaning without [[steps]]: leave it out");
+  take(value, path->halvings, Bound::NotNegative);
+}
+
 }  // namespace
 
 const Keys<Friction>& friction_keys() {
@@ -187,11 +193,10 @@ const Keys<SceneDraft>& scene_keys() {
        read_steps},
       {{"halvings", type_name<int>(Bound::NotNegative), "", written(Path().halvings),
         "how often in a row a step that fails is tried half as long"},
-       [](const Value& value, SceneDraft& draft) {
-         std::optional<Path>& path = draft.file.scene.path;
-         if (!path) value.fail("has no meaning without [[steps]]: leave it out");
-         take(value, path->halvings, Bound::NotNegative);
-       }},
+       read_halvings},
+      {{"moves", type_name<bool>(), "", written(Scene().moves),
+        "whether pairs are those of bodies where they have moved to, in [[steps]]"},
+       [](const Value& value, SceneDraft& draft) { take(value, draft.file.scene.moves); }},
       {{"output", "table", "", "", "what is written, into the working folder, see output"},
        [](const Value& value, SceneDraft& draft) {
          read_members(value, output_keys(), draft.file.output);

@@ -10,6 +10,7 @@
 #include "signorini/core/table.hpp"
 #include "signorini/problem/active_set_system.hpp"
 #include "signorini/scene/bodies.hpp"
+#include "signorini/scene/step_loop.hpp"
 
 namespace signorini {
 namespace {
@@ -93,6 +94,32 @@ void forget_slip(const VectorXd& slip, Model& model) {
   if (slip.size() > 0) model.programme.initial_gap.tail(slip.size()) -= slip;
 }
 
+/// Where the nodes of a state are, of a model that has its given displacements.
+NodeArray displacement_of(const PathState& state, const Model& model) {
+  if (state.steps == 0) return NodeArray::Zero(model.unknowns.held.rows(), 2);
+  return expand(model.unknowns, state.solution.displacement);
+}
+
+/// Rows of slips by contact and node: where pairs change, what they have slid so far goes on with these.
+using SlipNames = std::vector<std::pair<std::size_t, Index>>;
+
+SlipNames slip_names(const Model& model) {
+  SlipNames names;
+  for (const Index pair : model.law.pair) {
+    const auto k = static_cast<std::size_t>(pair);
+    names.emplace_back(model.contact_of[k], model.pairs.node[k]);
+  }
+  return names;
+}
+
+VectorXd handed_on(const SlipNames& names, const VectorXd& values, const SlipNames& here) {
+  VectorXd all = VectorXd::Zero(static_cast<Index>(here.size()));
+  for (std::size_t k = 0; k < here.size() && values.size() > 0; ++k)
+    if (const auto found = std::find(names.begin(), names.end(), here[k]); found != names.end())
+      all(static_cast<Index>(k)) = values(found - names.begin());
+  return all;
+}
+
 /// Says why a step failed, and until when its loads can be balanced at all.
 void tell(const Model& model, const Solution& failed, double time, PathEnd& end) {
   const std::string& why = failed.contact.reason;
@@ -137,11 +164,17 @@ PathState after(const PathState& past, double time, const Model& model, const Ve
 
 }  // namespace
 
-void check_state(const PathState& state, Model& model) {
-  check_sizes(state, model);
-  if (state.steps == 0) return;
+void stand(const PathState& state, Model& model) {
   set_time(state.time, model);
-  forget_slip(state.slip - state.increment, model);
+  if (!model.loop || state.solution.displacement.size() != model.unknowns.count) return;
+  const NodeArray there = displacement_of(state, model);
+  model.loop->place(there, there, model);
+}
+
+namespace {
+
+/// Whether a state solves its own step. \param model  with the loads of its time, and slips that count from its last step
+void check_solved(const PathState& state, const Model& model) {
   const Certificate certificate = certify(model.programme, state.solution, model.law);
   require_input(
       certificate.holds(), "the state at time ", state.time,
@@ -149,6 +182,31 @@ void check_state(const PathState& state, Model& model) {
       " was changed, but only what comes later may: its displacements and forces do not solve "
       "this one then (",
       certificate, "). Go on with the scene that it was saved from, or start anew");
+}
+
+/// A state of bodies that move: its pairs are those of the place where it has them. The model keeps its own, as the factor
+/// knows them.
+void check_moved_state(const PathState& state, Model model) {
+  try {
+    stand(state, model);
+  } catch (const ProblemError& error) {
+    throw ProblemError(text("the state at time ", state.time,
+                            " is of another scene: where it has the bodies, ", error.what()));
+  }
+  check_sizes(state, model);
+  forget_slip(-state.increment, model);  // where it stands nothing has slid yet
+  check_solved(state, model);
+}
+
+}  // namespace
+
+void check_state(const PathState& state, Model& model) {
+  if (!model.loop || state.steps == 0) check_sizes(state, model);
+  if (state.steps == 0) return;
+  set_time(state.time, model);
+  if (model.loop) return check_moved_state(state, model);
+  forget_slip(state.slip - state.increment, model);
+  check_solved(state, model);
 }
 
 CondensedPath condense_path(const Model& model, Ledger& ledger) {
@@ -168,13 +226,14 @@ void set_time(double time, Model& model) {
   check_steps(model, "set_time");
   QuadraticProgramme& programme = model.programme;
   programme.load.setZero();
-  programme.initial_gap.setZero();
-  for (const LoadPart& part : model.parts) {
-    const double factor = factor_of(model.path, part, time);
-    programme.load += factor * part.load;
-    programme.initial_gap += factor * part.movement;
+  for (const LoadPart& part : model.parts)
+    programme.load += factor_of(model.path, part, time) * part.load;
+  if (!model.loop) {  // which finds gaps by itself
+    programme.initial_gap.setZero();
+    for (const LoadPart& part : model.parts)
+      programme.initial_gap += factor_of(model.path, part, time) * part.movement;
+    model.pairs.initial_gap = programme.initial_gap.head(model.pairs.weight.size());
   }
-  model.pairs.initial_gap = programme.initial_gap.head(model.pairs.weight.size());
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     BodyModel& body = model.bodies[b];
     body.loads = {};
@@ -195,20 +254,52 @@ std::optional<PathTotals> totals(const PathState* state) {
   return PathTotals{state->slip, state->dissipation};
 }
 
+namespace {
+
+/// u without contact forces at the time that a model was set to.
+VectorXd free_displacement(double time, const Model& model, const CondensedPath& path) {
+  VectorXd free = VectorXd::Zero(model.unknowns.count);
+  for (std::size_t k = 0; k < model.parts.size(); ++k)
+    free += factor_of(model.path, model.parts[k], time) * path.free_displacement[k];
+  return free;
+}
+
+/// A step of bodies that move: its pairs come and go, and take along what they know.
+Step moved_step(const PathState& past, double time, Model& model, CondensedPath& path,
+                Ledger ledger) {
+  set_time(past.time, model);
+  const NodeArray before = displacement_of(past, model);
+  set_time(time, model);
+  model.loop->place(before, before, model);
+  check_sizes(past, model);
+  const SlipNames names = slip_names(model);
+  path.condensed.free_displacement = free_displacement(time, model, path);
+  SolverOptions options;
+  options.start = past.contact_status;
+  Step result{model.loop->solve(before, options, model, path.condensed, std::move(ledger)), past};
+  if (result.solution.contact.report.status != SolveStatus::Solved) return result;
+  PathState known = past;
+  known.slip = handed_on(names, past.slip, slip_names(model));
+  known.dissipation = handed_on(names, past.dissipation, slip_names(model));
+  known.dissipated_elsewhere += past.dissipation.sum() - known.dissipation.sum();
+  result.state = after(known, time, model, VectorXd(), result.solution);
+  return result;
+}
+
+}  // namespace
+
 Step step(const PathState& past, double time, Model& model, CondensedPath& path, Ledger ledger) {
   check_steps(model, "step");
-  check_sizes(past, model);
+  if (!model.loop) check_sizes(past, model);
   require_input(time > past.time, "load step: it must end after time ", past.time,
                 ", where the last one ended, got ", time);
+  if (model.loop) return moved_step(past, time, model, path, std::move(ledger));
   // [step]
   set_time(time, model);  // loads, temperatures and given displacements of that time
   const VectorXd given =
       model.programme.initial_gap.tail(static_cast<Index>(model.law.pair.size()));
   forget_slip(past.slip, model);  // slip counts from the step before
-  VectorXd free = VectorXd::Zero(model.unknowns.count);
-  for (std::size_t k = 0; k < model.parts.size(); ++k)
-    free += factor_of(model.path, model.parts[k], time) * path.free_displacement[k];
-  move_freely(model, std::move(free), path.condensed);
+  move_freely(model, free_displacement(time, model, path), path.condensed);
   SolverOptions options;
   options.start = past.contact_status;  // begin with what the pairs did last
   Step result{solve(model, path.condensed, model.solver, std::move(ledger), options), past};
@@ -246,7 +337,7 @@ bool Walk::goes(double time) {
     if (observe) observe(model, next);
     return true;
   }
-  if (next.solution.contact.unbounded_direction.size() > 0 && !end.limit)
+  if (next.solution.contact.unbounded_direction.size() > 0 && !end.limit && !model.loop)
     end.limit = balanced_until(before, target, model, path.condensed.problem);
   tell(model, next.solution, time, end);
   return false;
@@ -284,7 +375,7 @@ bool Walk::reaches(double time) {
       if (reach >= held) return false;
       reach = std::min(target, held);
       halved = 0;
-    } else if (end.status == SolveStatus::SlidTooFar) {
+    } else if (end.status == SolveStatus::SlidTooFar || end.status == SolveStatus::TurnedTooFar) {
       return false;  // no shorter way leads there
     } else if (end.limit && !known) {
       held = *end.limit - limit_margin * (target - before);
@@ -293,7 +384,7 @@ bool Walk::reaches(double time) {
     } else if (begin < half && half < reach && ++halved <= most) {
       ++end.halvings;
       reach = half;
-    } else if (passes_change(reach, foreseen++ < most)) {
+    } else if (passes_change(reach, foreseen++ < most && !model.loop)) {
       reach = target;
       halved = 0;
     } else {

@@ -1,7 +1,8 @@
 /// \file
 /// Load steps: one factor for a whole path, and friction that remembers.
 ///
-/// K, the factor, the compliance and the rigid modes do not change along a path. What changes is linear in the
+/// K, the factor, the compliance and the rigid modes do not change along a path, but for the compliance of bodies that
+/// move, see StepLoop. What changes is linear in the
 /// histories: p, g and \f$ K^{-1}p \f$ are sums of parts, each condensed once. So a step costs the triangular solves
 /// of its refinement and dense algebra on the boundary, and begins from what the pairs did last.
 ///
@@ -40,6 +41,8 @@ struct PathState {
   Eigen::VectorXd increment = {};
   /// `n_s` sum over the steps of |tau| |increment| [force*length], >= 0
   Eigen::VectorXd dissipation = {};
+  /// Of bodies that move: what nodes dissipated until they lost their pair [force*length]
+  double dissipated_elsewhere = 0;
   PrimalDual solution = {};  ///< u in two parts and forces of all rows of A, of the last step
 };
 
@@ -78,6 +81,12 @@ struct PathEnd {
 ///   displacements of its bodies at that time
 void set_time(double time, Model& model);
 
+/// Loads a model as at the time of a state and, if its bodies move, places their pairs where they stood then.
+/// \param state  of a path
+/// \param model  from build() of a scene with load steps
+/// \throws ProblemError if bodies of the model cannot stand there
+void stand(const PathState& state, Model& model);
+
 /// \param state  of a path, or null
 /// \return its sums, as tables and files of the step want them; nothing of null
 [[nodiscard]] std::optional<PathTotals> totals(const PathState* state);
@@ -101,13 +110,15 @@ void set_time(double time, Model& model);
 void check_state(const PathState& state, Model& model);
 
 /// Goes along the path of a scene. A step that is not solved is tried half as long, and again, as often as the path
-/// allows; then the path ends there, with the last state that was good. A step that is `SlidTooFar` is not halved and ends it.
+/// allows; then the path ends there, with the last state that was good. A step that is `SlidTooFar` or `TurnedTooFar` is not
+/// halved and ends it.
 ///
 /// Loads beyond what friction can hold are followed to their limit. If it is proved that nothing balances the loads of a
 /// step, the next one goes as far as they can be balanced, less 1e-10 of the step. Without a proof, after the halvings,
 /// the change of a pair that ends what was solved last is foreseen, as forces are linear in the loads until then; one
 /// step goes so far, and one 1e-10 of the step further. If that fails, this is the limit, else the path goes on. A path
-/// that allows no halvings takes no steps but its own.
+/// that allows no halvings takes no steps but its own. Of bodies that move, forces are not linear in the loads: no change is
+/// foreseen and no limit told.
 /// \param scene    with load steps
 /// \param observe  called after every step that was solved, halves too; may be empty
 /// \param from     where to go on, as an observer or read_state() got it: every number is then that of the path that was
@@ -164,7 +175,7 @@ class WorkMeter {
  public:
   /// \param model  as loaded at the time of the step
   /// \param step   the next one, the first time step 1 of the path
-  /// \throws ProblemError if the steps before the first one that is added are missing, as after a restart
+  /// \throws ProblemError if the steps before the first one that is added are missing, as after a restart, or if bodies move
   void add(const Model& model, const Step& step);
   /// \return the sums so far, from rest without loads
   [[nodiscard]] const Work& work() const { return work_; }

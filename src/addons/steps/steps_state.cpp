@@ -12,7 +12,8 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 constexpr const char* first_line = "signorini-state-1";
-constexpr std::string_view status_letters = "osfb";  // in the order of ContactStatus
+constexpr const char* elsewhere = "dissipated-elsewhere";  // only where bodies move
+constexpr std::string_view status_letters = "osfb";        // in the order of ContactStatus
 
 /// The vectors of a state, by name.
 template <typename State, typename Visit>
@@ -51,6 +52,8 @@ void write_state(const PathState& state, std::ostream& out) {
     out << name << ' ' << values.size() << '\n';
     for (const double value : values) out << shortest(value) << '\n';
   });
+  if (state.dissipated_elsewhere != 0)
+    out << elsewhere << ' ' << shortest(state.dissipated_elsewhere) << '\n';
 }
 
 PathState read_state(const std::string& content, const std::string& name) {
@@ -75,6 +78,11 @@ PathState read_state(const std::string& content, const std::string& name) {
     reader.check_room(values.size(), 1, what);
     for (double& value : values) value = reader.number(reader.word_anywhere(), what);
   });
+  if (!reader.next_line()) return state;
+  const std::string_view word = reader.word();
+  if (word != elsewhere) reader.fail("the end of the file", word);
+  state.dissipated_elsewhere = reader.number(reader.word(), elsewhere);
+  reader.expect_end_of_line(elsewhere);
   if (reader.next_line()) reader.fail("the end of the file", reader.word());
   return state;
 }

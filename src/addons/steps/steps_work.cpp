@@ -89,6 +89,8 @@ VectorXd WorkMeter::add_bodies(const Model& model, const Step& step) {
 }
 
 void WorkMeter::add(const Model& model, const Step& step) {
+  require_input(!model.loop,
+                "WorkMeter: of bodies that move, whose pairs change, work is not added up");
   const VectorXd& force = step.state.solution.force;
   const VectorXd& gap = step.solution.contact.gap;
   const VectorXd interference = interference_now(model, step.state.time);

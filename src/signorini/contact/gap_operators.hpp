@@ -29,6 +29,9 @@ struct GapOptions {
   bool sliding = false;      ///< whether the matrix S is wanted
   int points = 0;            ///< Gauss points per edge or segment; 0: the operator's own choice
   Quadrature quadrature = Quadrature::Segments;  ///< only if it `takes_quadrature`
+  /// `n_nodes x 2` where the nodes of all bodies stood before they came to where the meshes have them [length]; with S, a
+  /// member then says how far its points have `slid` since, along the sides that they face. Null: nothing has moved.
+  const NodeArray* before = nullptr;
 };
 
 /// One member of the family.

@@ -181,7 +181,7 @@ Gaps reduce(const Pairs& pairs, const Surface& source, const Unknowns& unknowns,
     if (!slides) continue;
     const FreeRow sliding = free_row(pairs.sliding, pair, unknowns, directions);
     append(tangential, row, sliding, 1);
-    gaps.initial_slip(row) = sliding.held;
+    gaps.initial_slip(row) = sliding.held + (pairs.slid.size() > 0 ? pairs.slid(pair) : 0);
   }
   gaps.A = matrix(n_pairs, unknowns.count, normal);
   gaps.T = matrix(slides ? n_pairs : 0, unknowns.count, tangential);

@@ -53,6 +53,43 @@ void write_matrix(const Entries& entries, const Eigen::VectorXd& total, Index co
   for (Index row = 0; row < total.size(); ++row) matrix.row(row) /= total(row);
 }
 
+/// How far the two places of a point lie apart along the target: \f$ t\cdot(x - \bar x) \f$, summed from
+/// a node of the target, so that nothing is lost far from the origin. The tangent runs against the
+/// walking direction. Where the nodes of each body are is the caller's choice: now or before.
+template <typename Nodes>
+double apart(const PairPoint& point, const SideCurve& target, const Nodes& of_source,
+             const Nodes& of_target) {
+  const Vector2d anchor = of_target(target.nodes().front());
+  Vector2d way = {0, 0};
+  Vector2d along = {0, 0};
+  const SideShape here = point.side->shape(point.xi);
+  const SideShape there = target.shape(point.place.xi);
+  for (std::size_t k = 0; k < point.side->nodes().size(); ++k)
+    way += here.value(static_cast<Index>(k)) * (of_source(point.side->nodes()[k]) - anchor);
+  for (std::size_t k = 0; k < target.nodes().size(); ++k) {
+    const Vector2d node = of_target(target.nodes()[k]) - anchor;
+    way -= there.value(static_cast<Index>(k)) * node;
+    along -= there.slope(static_cast<Index>(k)) * node;
+  }
+  return way.dot(along.normalized());
+}
+
+/// How far a point has slid since the nodes stood elsewhere: by how much two places that face each
+/// other now lay apart along the target then. Take a node that stood above the place 0 of a straight
+/// target and is above the place 0.37 now. That place lay 0.37 to the right of it, and so much it has
+/// slid. If both bodies have turned meanwhile, the tangents are those of now and then, and the number
+/// is the same. At rest both terms are the same, and nothing has slid.
+double slid(const Interface& interface, const PairPoint& point, const NodeArray& before) {
+  const SideCurve& target = interface.search.side(point.place.side);
+  const auto in = [](const NodeArray& nodes, Index first) {
+    return [&nodes, first](Index node) -> Vector2d { return nodes.row(first + node).transpose(); };
+  };
+  const Surface& one = interface.source;
+  const Surface& other = interface.target;
+  return apart(point, target, in(one.mesh.nodes, 0), in(other.mesh.nodes, 0)) -
+         apart(point, target, in(before, one.first_node), in(before, other.first_node));
+}
+
 }  // namespace
 
 /// A mean of several unit normals is shorter than 1 if the target turns among the points of a pair.
@@ -63,6 +100,8 @@ void write_rows(const Interface& interface, const std::vector<PairPoint>& points
   pairs.initial_gap.setZero(total.size());
   for (NodeArray* means : {&pairs.normal, &pairs.moment, &pairs.target_moment})
     means->setZero(total.size(), 2);
+  const bool moved = options.sliding && options.before != nullptr;
+  if (moved) pairs.slid.setZero(total.size());
   Entries opening;
   Entries sliding;
   for (const PairPoint& point : points) {
@@ -75,6 +114,7 @@ void write_rows(const Interface& interface, const std::vector<PairPoint>& points
     pairs.target_moment.row(point.pair) -= share * moments_at(point.place.point - x, n);
     act_and_react(interface, point, n, opening);
     if (options.sliding) act_and_react(interface, point, {n.y(), -n.x()}, sliding);
+    if (moved) pairs.slid(point.pair) += share * slid(interface, point, *options.before);
   }
   write_matrix(opening, total, 2 * options.n_nodes, pairs.opening);
   write_matrix(sliding, total, 2 * options.n_nodes, pairs.sliding);

@@ -49,6 +49,7 @@ struct Pairs {
       node;  ///< `n_c` source node of each pair in its own mesh; -1 if it has none
   /// Nodes of the source that face no target and have no pair, in walking order.
   std::vector<Eigen::Index> unpaired;
+  Eigen::VectorXd slid = {};  ///< `n_c` slip where no unknown moves [length]; empty: 0, see GapOptions::before
 };
 
 /// \param arm     from a point to a place [length]

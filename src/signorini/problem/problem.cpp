@@ -51,6 +51,8 @@ const char* to_string(SolveStatus status) {
       return "breakdown";
     case SolveStatus::SlidTooFar:
       return "slid too far";
+    case SolveStatus::TurnedTooFar:
+      return "turned too far";
   }
   return "unknown";
 }

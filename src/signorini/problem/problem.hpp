@@ -109,12 +109,13 @@ enum class SolveStatus {
   IterationLimit,  ///< stopped by the limit on iterations
   Breakdown,       ///< a system the method needs is singular to working precision
   Jump,            ///< pairs close only without their cohesion and open only with it; as for a ray
-  SlidTooFar  ///< all conditions hold, but pairs have slid too far for them to be those of the bodies
+  SlidTooFar,  ///< all conditions hold, but pairs have slid too far for them to be those of the bodies
+  TurnedTooFar  ///< all conditions hold, but a body has turned too far for strains to be small
 };
 
 /// A status in words.
 /// \param status  any
-/// \return "solved", "feasible, not optimal", "infeasible", "ray", "iteration limit", "breakdown" or "jump"
+/// \return "solved", "feasible, not optimal", "infeasible", "ray", "iteration limit", "breakdown", "jump", "slid too far" or "turned too far"
 [[nodiscard]] const char* to_string(SolveStatus status);
 
 /// One iteration of a solver.

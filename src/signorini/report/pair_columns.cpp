@@ -148,8 +148,9 @@ std::vector<PairColumn> pair_columns(const Model& model, const Solution& solutio
   columns.push_back({"status", "-", "contact_status", closed, {"open", "closed"}});
   const std::size_t smooth = columns.size();
   const bool moves = !solution.displacements.empty();  // forces alone may have been given
-  const VectorXd slip =
-      moves ? slips(model, solution.displacements) : VectorXd::Constant(n_pairs, none);
+  // Along rows of bodies that have moved, displacements in total are no slip.
+  const VectorXd slip = moves && !model.standing ? slips(model, solution.displacements)
+                                                 : VectorXd::Constant(n_pairs, none);
   if (!contact.frictional_pairs.empty())
     add_friction(model, solution, totals, slip, columns);
   else if (moves && !totals)

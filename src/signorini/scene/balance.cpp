@@ -47,9 +47,18 @@ struct Extent {
   double reach;
 };
 
-Extent extent(const BodyModel& body) {
-  const Vector2d middle = body.mesh.nodes.colwise().mean().transpose();
-  return {middle, (body.mesh.nodes.rowwise() - middle.transpose()).rowwise().norm().maxCoeff()};
+Extent extent(const NodeArray& nodes) {
+  const Vector2d middle = nodes.colwise().mean().transpose();
+  return {middle, (nodes.rowwise() - middle.transpose()).rowwise().norm().maxCoeff()};
+}
+
+// Forces act where the bodies are: if pairs were found where they have moved to, there. A couple of
+// forces that is in balance at one place of two bodies may turn them at another, so that moments
+// must be taken in the present places.
+Extent extent(const Model& model, const BodyModel& body) {
+  if (!model.standing) return extent(body.mesh.nodes);
+  const NodeArray& moved = model.standing->displacement;
+  return extent(body.mesh.nodes + moved.middleRows(body.first_node, body.mesh.n_nodes()));
 }
 
 // tell() adds what a reader adds, hand_on() takes away what the nodes got. If both agree,
@@ -57,7 +66,7 @@ Extent extent(const BodyModel& body) {
 class Balance {
  public:
   explicit Balance(const Model& model) : model_(model), sums_(model.bodies.size(), Sum{}) {
-    for (const BodyModel& body : model.bodies) extents_.push_back(extent(body));
+    for (const BodyModel& body : model.bodies) extents_.push_back(extent(model, body));
   }
 
   // A force of a pair along its normal or tangent, on both sides. The target gets the
@@ -85,7 +94,8 @@ class Balance {
       const BodyModel& own = model_.bodies[body];
       Vector2d along = Vector2d::Zero();
       along(it.col() % 2) = it.value();
-      const Vector2d x = own.mesh.nodes.row(it.col() / 2 - own.first_node).transpose();
+      Vector2d x = own.mesh.nodes.row(it.col() / 2 - own.first_node).transpose();
+      if (model_.standing) x += model_.standing->displacement.row(it.col() / 2).transpose();
       add(sums_[body], -force, along, cross(x - extents_[body].middle, along));
     }
   }

@@ -64,6 +64,18 @@ ContactBodies bodies_of(const ContactSpec& contact, const std::vector<BodyModel>
           target != nullptr ? std::optional(body_index(bodies, *target)) : std::nullopt};
 }
 
+// What is asked of the input, once. In load steps pairs may be found again where the bodies have moved to;
+// then nothing is new in what the user wrote.
+void check_contacts(const Scene& scene, Plan& draft) {
+  for (const ContactSpec& contact : scene.contacts) check_choices(contact, draft);
+  check_listed_once(scene, draft.bodies);
+}
+
+void check_pairs(const ContactSpec& contact, const Pairs& found, Plan& draft) {
+  check_obstacle_side(contact, draft.bodies, found);
+  ask_checks(draft.notes, &Check::contact, contact, draft.bodies, found);
+}
+
 // One contact after the other is paired, checked, fitted, reduced and stacked, and says what it
 // found in a line of the plan. Then the pairs have their numbers for good.
 //
@@ -73,8 +85,8 @@ ContactBodies bodies_of(const ContactSpec& contact, const std::vector<BodyModel>
 // gets a note. `follow` keeps the gaps of the meshes, with which gaps in moved bodies will
 // be compared.
 void declare_contact(const Scene& scene, Plan& draft) {
-  for (const ContactSpec& contact : scene.contacts) check_choices(contact, draft);
-  check_listed_once(scene, draft.bodies);
+  const Standing* const standing = draft.standing.get();
+  if (standing == nullptr) check_contacts(scene, draft);
   draft.contacts = contact_names(draft.bodies, scene.contacts);
   const bool sliding = std::any_of(scene.contacts.begin(), scene.contacts.end(), has_friction);
   const double directions = direction_rounding(draft.bodies);
@@ -82,12 +94,12 @@ void declare_contact(const Scene& scene, Plan& draft) {
   for (std::size_t k = 0; k < scene.contacts.size(); ++k) {
     const ContactSpec& contact = scene.contacts[k];
     const std::string what = describe(draft.bodies, contact);
-    Pairs found = pair_up(contact, draft.bodies, sliding);
+    Pairs found =
+        pair_up(contact, draft.bodies, sliding, standing == nullptr ? nullptr : &standing->before);
     const Eigen::VectorXd gap = found.initial_gap;
-    check_obstacle_side(contact, draft.bodies, found);
-    ask_checks(draft.notes, &Check::contact, contact, draft.bodies, found);
+    if (standing == nullptr) check_pairs(contact, found, draft);
     std::string fitted;
-    for (const FitSides fit : draft.fits) fitted += fit(contact, found);
+    for (const FitSides& fit : draft.fits) fitted += fit(contact, found);
     const Gaps gaps =
         reduce(found, surface(draft.bodies, contact.source), draft.unknowns, what, directions);
     const std::size_t pairs = gaps.pairs.node.size();
@@ -145,7 +157,8 @@ Effect contact() {
             model.programme.A.swap(model.gaps.A);
             model.programme.initial_gap = model.gaps.pairs.initial_gap;
             model.pairs = std::move(model.gaps.pairs);
-          }};
+          },
+          true};
 }
 
 // An overlap is an effect with nothing to add: g is negative there. But it loads the bodies,

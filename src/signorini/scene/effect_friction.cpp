@@ -47,8 +47,11 @@ bool any_has(const Scene& scene, Constant constant) {
 
 // Whether supports leave a pair free to slide. Friction between two supports could be
 // anything. So it is taken for none, and all of the force counts as theirs.
-bool can_slide(const Gaps& gaps, Index pair) {
-  return gaps.initial_slip(pair) != 0 || gaps.T.row(pair).norm() > 0;
+//
+// Where bodies have moved to, rows must not come and go with supports that stop and start.
+bool can_slide(const Plan& draft, Index pair) {
+  if (draft.standing) return draft.gaps.pairs.sliding.row(pair).nonZeros() > 0;
+  return draft.gaps.initial_slip(pair) != 0 || draft.gaps.T.row(pair).norm() > 0;
 }
 
 // Whether the node of a pair is on a line of symmetry that its side crosses at a right
@@ -123,7 +126,7 @@ void take_slips(const Scene& scene, Plan& draft) {
   if (!law.pair.empty()) return;
   for (std::size_t pair = 0; pair < draft.contact_of.size(); ++pair)
     if (has_friction(scene.contacts[draft.contact_of[pair]]) &&
-        can_slide(draft.gaps, static_cast<Index>(pair)) &&
+        can_slide(draft, static_cast<Index>(pair)) &&
         !on_line_of_symmetry(scene, draft, static_cast<Index>(pair)))
       law.pair.push_back(static_cast<Index>(pair));
   if (law.pair.empty()) return;
@@ -176,7 +179,7 @@ Effect friction() {
             declare_law(scene, draft, &Friction::coefficient, "friction coefficient");
             note_idle_friction(scene, draft);
           },
-          add_slips};
+          add_slips, true};
 }
 
 Effect cohesion() {
@@ -187,7 +190,7 @@ Effect cohesion() {
         declare_law(scene, draft, &Friction::cohesion, "cohesion");
         if (!any_has(scene, &Friction::coefficient)) note_idle_friction(scene, draft);
       },
-      add_slips};
+      add_slips, true};
 }
 
 }  // namespace signorini::effect

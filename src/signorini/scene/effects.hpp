@@ -7,12 +7,11 @@
 /// No step of a run looks at what a scene calls for (checks read it to write notes): plan() asks every effect in the
 /// order of the table whether it is present and what it takes, build() makes the plan a model and lets those that are
 /// present add their numbers, and what an effect leaves empty no later step sees. So entered load steps: `declare` sorts the loads by the history that they follow,
-/// `add` hands the model one p and g per history; the factor and the compliance stay. And so the next ones will:
+/// `add` hands the model one p and g per history; the factor and the compliance stay. And so entered *moving geometry*:
+/// `declare` says that pairs are searched in every iteration of a step and hands the plan a StepLoop, which asks those effects
+/// anew that are `of_pairs`. And so the next one will:
 ///
-/// * *moving geometry*: `declare` says that pairs are searched once per step, `add` hands the model a function
-///   from displacements to gaps in the place of one A and g.
-/// * *finite strain*: `declare` says that K is assembled and factored once per iteration, `add` hands the model a
-///   function from displacements to K and p.
+/// * *finite strain*: `declare` says that K is assembled and factored once per iteration, and its loop writes K and p too.
 #pragma once
 #include <string>
 #include <vector>
@@ -33,6 +32,9 @@ struct Effect {
   /// and the numbers of effects before it in the table. Null if there is nothing to add: materials are read by
   /// assemble(), fits are in the gaps, rigid motions in the plan.
   void (*add)(Model& model);
+  /// Whether it writes rows of A: where bodies have moved to, such effects declare and add again, to a draft whose meshes
+  /// stand there, see Plan::standing
+  bool of_pairs = false;
 };
 
 /// The family.

@@ -56,7 +56,18 @@ struct FollowedContact;
 /// \param contact       of the scene, whose lengths have been checked
 /// \param[in,out] pairs  of the meshes; gets new initial gaps
 /// \return what was done, to go on the line of the contact; nothing if the contact asks for nothing
-using FitSides = std::string (*)(const ContactSpec& contact, Pairs& pairs);
+using FitSides = std::function<std::string(const ContactSpec& contact, Pairs& pairs)>;
+
+/// Where bodies have moved to, if pairs were found there: rows of A and their places are those of moved bodies then.
+///
+/// In a load step of bodies that move, places and displacements are those of one iteration. Gaps and slips are counted
+/// from the scene nonetheless: \f$ g - Au \f$ with all of u is the gap there to first order.
+struct Standing {
+  NodeArray displacement;  ///< `n_nodes x 2` of all nodes, from the scene to there [length]
+  NodeArray before;  ///< `n_nodes x 2` where the nodes stood at the end of the last step [length]
+  NodeArray since;   ///< `n_nodes x 2` by how much they have moved since then [length]
+};
+struct StepLoop;
 
 /// What a scene calls for, found without assembling anything. It may be copied, and is all that build() needs.
 struct Plan {
@@ -81,6 +92,8 @@ struct Plan {
   Path path = {};                            ///< load steps, none without
   std::vector<LoadPart> parts = {};     ///< one for each history; p and g are their sum times these
   Backend backend = default_backend();  ///< of the scene, factors K
+  std::shared_ptr<const StepLoop> loop = {};  ///< of bodies that move; null: a step is one problem
+  std::shared_ptr<const Standing> standing = {};  ///< null: bodies are where the scene has them
 };
 
 /// The plan of a scene and its numbers. build() has made `programme` and `pairs` of `gaps`, which are empty now.

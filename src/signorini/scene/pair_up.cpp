@@ -15,10 +15,15 @@ namespace signorini {
 // A rigid obstacle has a formula for gap and normal, and needs no search. Two bodies are paired by the
 // operator of the scene. They must have one thickness. Otherwise the same pressure would be one force
 // on the source and another one on the target, and the two would not balance.
-Pairs pair_up(const ContactSpec& contact, const std::vector<BodyModel>& bodies, bool sliding) {
+//
+// Where bodies have moved in a step, the meshes are those of moved bodies, and the nodes come along that they had
+// before.
+Pairs pair_up(const ContactSpec& contact, const std::vector<BodyModel>& bodies, bool sliding,
+              const NodeArray* before) {
   const Surface source = surface(bodies, contact.source);
   const Depth depth = depth_of(bodies[body_index(bodies, contact.source)].material);
-  const GapOptions options{count_nodes(bodies), depth, sliding, contact.points, contact.quadrature};
+  const GapOptions options{count_nodes(bodies), depth, sliding, contact.points,
+                           contact.quadrature,  before};
   if (const Obstacle* obstacle = std::get_if<Obstacle>(&contact.target))
     return node_to_obstacle(source, *obstacle, options);
   const Side& side = std::get<Side>(contact.target);

@@ -12,10 +12,11 @@ namespace signorini {
 /// \param contact  of the scene
 /// \param bodies   of the scene
 /// \param sliding  whether the matrix S is wanted
+/// \param before   where the nodes stood before they came to where the meshes have them, see GapOptions; or null
 /// \return the pairs
 /// \throws ProblemError as GapOperator and node_to_obstacle(), or for bodies of two thicknesses
 [[nodiscard]] Pairs pair_up(const ContactSpec& contact, const std::vector<BodyModel>& bodies,
-                            bool sliding);
+                            bool sliding, const NodeArray* before = nullptr);
 
 /// A contact that has been paired.
 struct FollowedContact {

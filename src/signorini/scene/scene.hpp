@@ -89,6 +89,9 @@ struct Scene {
   Solver solver = primal_dual_active_set();  ///< a member of the family, see find_solver()
   std::optional<Path> path = {};             ///< load steps, for solve_steps(); none by default
   Backend backend = default_backend();       ///< factors K, see backends()
+  /// Whether pairs are those of bodies where they have moved to, as far as they slide: an effect of the add-on motion, in
+  /// load steps. Without it they are those of the meshes.
+  bool moves = false;
 };
 
 /// Reads a scene and says what will be computed. \param scene  to be solved

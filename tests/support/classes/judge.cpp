@@ -42,6 +42,7 @@ std::string judge(const Instance& instance, const Report& report, bool must,
     case SolveStatus::IterationLimit:
     case SolveStatus::Breakdown:
     case SolveStatus::SlidTooFar:
+    case SolveStatus::TurnedTooFar:
       if (!must || instance.expected == SolveStatus::Breakdown ||
           (report.status == SolveStatus::Ray && instance.may_be_ray))
         return {};

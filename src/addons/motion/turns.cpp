@@ -1,0 +1,76 @@
+// # Has a body turned?
+//
+// Small strain reads strains from the symmetric part of \f$ \nabla u \f$. A block that turns by \f$ \theta \f$ without any
+// strain has there \f$ \cos\theta - 1 \approx -\theta^2/2 \f$, and resists a turn that costs nothing. So a body that slides
+// 0.1 rad down a bowl comes to rest 0.017 of its radius beside the bottom. That is wrong, and no finer mesh mends it.
+
+#include "addons/motion/turns.hpp"
+
+#include <cmath>
+
+#include "signorini/core/errors.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+
+constexpr double noted_turn = 1e-3;  ///< makes strains of 5e-7 of nothing [rad]
+constexpr double refused_turn =
+    1e-2;  ///< makes strains of 5e-5, and places beside the right one [rad]
+
+/// The piece of each node.
+std::vector<bool> within(const Mesh& mesh, const MeshPiece& piece) {
+  std::vector<bool> inside(static_cast<std::size_t>(mesh.n_nodes()), false);
+  for (const Index node : piece.nodes) inside[static_cast<std::size_t>(node)] = true;
+  return inside;
+}
+
+}  // namespace
+
+/// Each cell is taken for the polygon of its corners: \f$ \int \nabla u\,dA = \oint u \otimes n\,ds \f$ with u straight
+/// between them.
+double mean_turn(const Mesh& mesh, const MeshPiece& piece, const NodeArray& displacements) {
+  const std::vector<bool> inside = within(mesh, piece);
+  Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
+  for (Index cell = 0; cell < mesh.n_cells(); ++cell) {
+    if (!inside[static_cast<std::size_t>(mesh.cells(cell, 0))]) continue;
+    const int corners = mesh.corners(cell);
+    for (int k = 0; k < corners; ++k) {
+      const Index from = mesh.cells(cell, k);
+      const Index to = mesh.cells(cell, (k + 1) % corners);
+      const Eigen::RowVector2d side = mesh.nodes.row(to) - mesh.nodes.row(from);
+      const Eigen::RowVector2d place = mesh.nodes.row(from) - mesh.nodes.row(mesh.cells(cell, 0));
+      const Eigen::RowVector2d moved = displacements.row(from) + displacements.row(to);
+      sum += 0.5 * (moved + 2 * place + side).transpose() * Eigen::RowVector2d(side.y(), -side.x());
+    }
+  }
+  return std::atan2(sum(1, 0) - sum(0, 1), sum(0, 0) + sum(1, 1));
+}
+
+void judge_turns(const Model& model, Solution& solution) {
+  double most = 0;
+  std::size_t of = 0;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b)
+    for (const MeshPiece& piece : model.bodies[b].pieces) {
+      const double turn = mean_turn(model.bodies[b].mesh, piece, solution.displacements[b]);
+      if (std::abs(turn) <= std::abs(most)) continue;
+      most = turn;
+      of = b;
+    }
+  if (std::abs(most) <= noted_turn) return;
+  const std::string words =
+      text("body '", model.bodies[of].mesh.name, "' has turned by ", most,
+           " rad in the mean, which small strain takes for a strain of ", most * most / 2);
+  if (std::abs(most) <= refused_turn) {
+    solution.notes.push_back(words);
+    return;
+  }
+  solution.contact.report.status = SolveStatus::TurnedTooFar;
+  solution.contact.reason =
+      text(words, ": up to ", refused_turn,
+           " rad is taken. Hold the body against turning, or draw its mesh turned as it comes to "
+           "stand");
+}
+
+}  // namespace signorini

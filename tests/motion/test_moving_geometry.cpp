@@ -1,0 +1,335 @@
+// Bodies that move: pairs where they stand, slips along the surface, whole paths.
+#include <cmath>
+#include <sstream>
+
+#include "addons/motion/turns.hpp"
+#include "addons/steps/steps.hpp"
+#include "catch_compat.hpp"
+#include "signorini/report/pressure_table.hpp"
+#include "signorini/scene/bodies.hpp"
+#include "signorini/scene/step_loop.hpp"
+#include "support/message.hpp"
+#include "support/moving_blocks.hpp"
+
+using namespace signorini;
+using namespace signorini_test;
+using Eigen::Index;
+using Eigen::Vector2d;
+using Eigen::VectorXd;
+
+namespace {
+
+Model built(const Scene& scene) {
+  Ledger ledger;
+  return build(scene, ledger);
+}
+
+NodeArray places(const Model& model) {
+  NodeArray nodes(count_nodes(model.bodies), 2);
+  for (const BodyModel& body : model.bodies)
+    nodes.middleRows(body.first_node, body.mesh.n_nodes()) = body.mesh.nodes;
+  return nodes;
+}
+
+/// Displacements of a turn about the origin and a move.
+NodeArray turned_by(double angle, const NodeArray& nodes) {
+  Eigen::Matrix2d turn;
+  turn << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
+  NodeArray there = nodes * turn.transpose();
+  there.rowwise() += Eigen::RowVector2d(3, -2);
+  return there - nodes;
+}
+
+/// Gaps and slips of bodies that stand at a displacement, which is not that of the unknowns: with all nodes given.
+VectorXd seen(Model& model, const NodeArray& displacement, const NodeArray& before) {
+  model.loop->place(displacement, before, model);
+  VectorXd u(model.unknowns.count);
+  for (Index node = 0; node < displacement.rows(); ++node)
+    for (const Index axis : {0, 1})
+      if (const Index k = model.unknowns.number(node, axis); k >= 0)
+        u(k) = displacement(node, axis);
+  VectorXd all = model.programme.initial_gap - model.programme.A * u;
+  const Index pairs = model.pairs.weight.size();
+  // What supports hold moves as well.
+  NodeArray rest = displacement - expand(model.unknowns, u);
+  const Eigen::Map<const VectorXd> flat(rest.data(), rest.size());
+  all.head(pairs) += model.pairs.opening * flat;
+  const VectorXd slip = model.pairs.sliding * flat;
+  for (Index k = 0; k < all.size() - pairs; ++k)
+    all(pairs + k) += slip(model.law.pair[std::size_t(k)]);
+  return all;
+}
+
+std::string unsolved(const Scene& scene, SolveStatus status) {
+  const PathEnd end = solve_steps(scene);
+  CHECK(end.status == status);
+  return end.reason;
+}
+
+}  // namespace
+
+TEST_CASE("placed where the scene has them, bodies have the linear problem, bit by bit",
+          "[motion]") {
+  Scene scene = moving_blocks();
+  Model moves = built(scene);
+  scene.moves = false;
+  const Model still = built(scene);
+  const NodeArray zero = NodeArray::Zero(count_nodes(still.bodies), 2);
+  moves.loop->place(zero, zero, moves);
+  CHECK((moves.programme.A - still.programme.A).norm() == 0);
+  CHECK(moves.programme.A.nonZeros() == still.programme.A.nonZeros());
+  CHECK(moves.law.pair == still.law.pair);
+  CHECK(moves.law.coefficient == still.law.coefficient);
+  // Loads of the full scene are in both.
+  CHECK(moves.programme.load == still.programme.load);
+  CHECK(moves.programme.initial_gap == still.programme.initial_gap);
+}
+
+TEST_CASE("a gap is that of the place, where the linear one is wrong by s^2/2R", "[motion]") {
+  Scene scene = moving_blocks();
+  scene.bodies.erase(scene.bodies.begin());
+  const double radius = 10;
+  scene.contacts = {{{"bottom"}, disc({1.5, 1 - radius}, radius)}};
+  scene.contacts[0].friction = Friction{0.3, 0};
+  Model model = built(scene);
+  NodeArray along = NodeArray::Zero(count_nodes(model.bodies), 2);
+  along.col(0).setConstant(0.2);
+  const VectorXd first = seen(model, 0 * along, 0 * along);
+  const VectorXd gap = seen(model, along, 0 * along);
+  const Index pairs = model.pairs.weight.size();
+  for (Index pair = 0; pair < pairs; ++pair) {
+    const Vector2d x = model.pairs.position.row(pair).transpose();
+    const Vector2d old = x - Vector2d(0.2, 0);
+    const Vector2d centre(1.5, 1 - radius);
+    CHECK(std::abs(gap(pair) - ((x - centre).norm() - radius)) <= 1e-14);
+    // The linear gap of the first place lacks the curvature.
+    const Vector2d n = (old - centre).normalized();
+    const double linear = first(pair) + 0.2 * n.x();
+    const double s = 0.2 * n.y();
+    CHECK(std::abs(gap(pair) - linear - s * s / (2 * (old - centre).norm())) <= 1e-4);
+  }
+}
+
+TEST_CASE("a turn of both bodies by any angle opens no gap and is no slip", "[motion]") {
+  Scene scene = moving_blocks();
+  scene.bodies[1].mesh.nodes.col(1).array() += 1e-3;  // open
+  Model model = built(scene);
+  const NodeArray zero = NodeArray::Zero(count_nodes(model.bodies), 2);
+  const VectorXd still = seen(model, zero, zero);
+  const Index pairs = model.pairs.weight.size();
+  for (const double angle : {1e-3, 0.5, 1.5707963267948966, 3.0}) {
+    CAPTURE(angle);
+    const NodeArray turn = turned_by(angle, places(model));
+    const VectorXd there = seen(model, turn, zero);
+    REQUIRE(there.size() == still.size());
+    CHECK((there.head(pairs) - still.head(pairs)).cwiseAbs().maxCoeff() <= 3e-14);
+    CHECK(there.tail(there.size() - pairs).cwiseAbs().maxCoeff() <= 3e-14);
+    // A block that slid by 0.37 before all turned, or after: so much is told.
+    NodeArray slid = zero;
+    slid.bottomRows(model.bodies[1].mesh.n_nodes()).col(0).setConstant(0.37);
+    const VectorXd both = seen(model, turned_by(angle, places(model) + slid) + slid, zero);
+    CHECK((both.tail(both.size() - pairs).array() - 0.37).abs().maxCoeff() <= 3e-14);
+  }
+}
+
+TEST_CASE("a block is dragged over many sides of a stiff base: friction is mu times pressure",
+          "[motion]") {
+  MovingBlocks of;
+  of.stiffness = 1e6;
+  of.base_cells = 40;
+  of.steps = 24;
+  const Scene scene = moving_blocks(of);
+  double least = 1e300, most = 0;
+  Index steps = 0, searches = 0;
+  const PathEnd end = solve_steps(scene, [&](const Model& model, const Step& step) {
+    ++steps;
+    CHECK(step.solution.certificate.holds());
+    searches += step.solution.ledger.counted("pairs", "searches");
+    // In the present configuration contact forces and their moments are in balance.
+    CHECK(step.solution.certificate.balance <= 1e-13);
+    if (step.state.time < 1.2) return;
+    const Resultants sum = resultants(model, step.solution);
+    least = std::min(least, std::abs(sum.force.x()));
+    most = std::max(most, std::abs(sum.force.x()));
+    CHECK(std::abs(std::abs(sum.force.x() / sum.force.y()) - 0.3) <= 2e-5);
+  });
+  INFO(end.reason);
+  REQUIRE(end.status == SolveStatus::Solved);
+  CHECK(end.halvings == 0);
+  CHECK(steps == 25);
+  CHECK(searches <= 25 * steps);
+  CHECK((most - least) / most <= 2e-5);
+}
+
+TEST_CASE("a block and its base that go the same way keep what they have", "[motion]") {
+  Scene scene = moving_blocks();
+  scene.bodies[0].supports = {prescribed("bottom", Axis::X, 3), prescribed("bottom", Axis::Y, 0)};
+  scene.bodies[0].supports[0].history = "drag";
+  scene.contacts[0].friction = Friction{5, 0};
+  std::vector<Step> steps;
+  const PathEnd end =
+      solve_steps(scene, [&](const Model&, const Step& step) { steps.push_back(step); });
+  INFO(end.reason);
+  REQUIRE(end.status == SolveStatus::Solved);
+  for (const Step& step : steps) {
+    CHECK(step.state.increment.cwiseAbs().maxCoeff() == 0);
+    CHECK((step.state.solution.force - steps[0].state.solution.force).cwiseAbs().maxCoeff() <=
+          1e-10 * steps[0].state.solution.force.cwiseAbs().maxCoeff());
+  }
+}
+
+// Nothing holds the block but contact: its amplitudes are unknowns of every linear problem, and it goes along as a whole.
+TEST_CASE("a loose block rides on a base that moves away", "[motion]") {
+  Scene scene = moving_blocks();
+  scene.bodies[0].supports = {prescribed("bottom", Axis::X, 50), prescribed("bottom", Axis::Y, 0)};
+  scene.bodies[0].supports[0].history = "drag";
+  scene.bodies[1].supports.clear();
+  scene.bodies[1].loads.edges = {{"top", 5, {}, "press"}};
+  std::vector<Step> steps;
+  const PathEnd end =
+      solve_steps(scene, [&](const Model&, const Step& step) { steps.push_back(step); });
+  INFO(end.reason);
+  REQUIRE(end.status == SolveStatus::Solved);
+  const NodeArray& first = steps.front().solution.displacements[1];
+  const NodeArray& last = steps.back().solution.displacements[1];
+  CHECK(((last - first).col(0).array() - 50).abs().maxCoeff() <= 1e-10);
+  CHECK((last - first).col(1).cwiseAbs().maxCoeff() <= 1e-10);
+}
+
+TEST_CASE("friction remembers along the surface what slid where nodes lose their pairs",
+          "[motion]") {
+  MovingBlocks of;
+  of.drag = 4.5;  // the last quarter of the block goes over the end of the base
+  of.steps = 18;
+  double before = 0;
+  Index left = 0;
+  const PathEnd end = solve_steps(moving_blocks(of), [&](const Model& model, const Step& step) {
+    const double all = step.state.dissipation.sum() + step.state.dissipated_elsewhere;
+    CHECK(all >= before * (1 - 1e-14));
+    before = all;
+    left = Index(model.pairs.unpaired.size());
+  });
+  INFO(end.reason);
+  REQUIRE(end.status == SolveStatus::Solved);
+  CHECK(left > 0);
+  CHECK(end.state.dissipated_elsewhere > 0);
+  std::ostringstream out;
+  write_state(end.state, out);
+  const PathState again = read_state(out.str(), "saved");
+  CHECK(again.dissipated_elsewhere == end.state.dissipated_elsewhere);
+  CHECK(again.solution.force == end.state.solution.force);
+  CHECK_THAT(
+      problem_message([&] { static_cast<void>(read_state(out.str() + "more 1\n", "saved")); }),
+      ContainsSubstring("the end of the file"));
+}
+
+TEST_CASE("a path of moving bodies goes on from a state to the same bits", "[motion]") {
+  const Scene scene = moving_blocks();
+  std::vector<PathState> all;
+  static_cast<void>(
+      solve_steps(scene, [&](const Model&, const Step& step) { all.push_back(step.state); }));
+  REQUIRE(all.size() == 13);
+  std::ostringstream out;
+  write_state(all[6], out);
+  const PathState saved = read_state(out.str(), "saved");
+  std::size_t k = 7;
+  const PathEnd end = solve_steps(
+      scene,
+      [&](const Model&, const Step& step) {
+        CHECK(step.state.solution.displacement == all[k].solution.displacement);
+        CHECK(step.state.solution.displacement_low == all[k].solution.displacement_low);
+        CHECK(step.state.solution.force == all[k].solution.force);
+        CHECK(step.state.slip == all[k].slip);
+        CHECK(step.state.contact_status == all[k++].contact_status);
+      },
+      saved);
+  CHECK(end.status == SolveStatus::Solved);
+  CHECK(k == all.size());
+  MovingBlocks other;
+  other.press = 0.02;
+  CHECK_THAT(
+      problem_message([&] { static_cast<void>(solve_steps(moving_blocks(other), {}, saved)); }),
+      ContainsSubstring("is of another scene"));
+  other.cells = 6;
+  CHECK_THAT(
+      problem_message([&] { static_cast<void>(solve_steps(moving_blocks(other), {}, saved)); }),
+      ContainsSubstring("is of another scene"));
+}
+
+TEST_CASE("what bodies that move cannot have is refused with the way out", "[motion]") {
+  const auto message = [](const auto& change) {
+    Scene scene = moving_blocks();
+    change(scene);
+    return problem_message([&] { static_cast<void>(plan(scene)); });
+  };
+  CHECK(message([](Scene&) {}).empty());
+  CHECK_THAT(message([](Scene& s) {
+               for (Body& body : s.bodies)
+                 for (Support& support : body.supports) support.history = "";
+               s.path.reset();
+             }),
+             ContainsSubstring("load steps") && ContainsSubstring("[[steps]]"));
+  CHECK_THAT(message([](Scene& s) { s.contacts[0].gap_operator = "node_to_segment"; }),
+             ContainsSubstring("mortar") && ContainsSubstring("segments"));
+  CHECK_THAT(message([](Scene& s) { s.contacts[0].quadrature = Quadrature::SourceEdges; }),
+             ContainsSubstring("quadrature"));
+  CHECK_THAT(message([](Scene& s) { s.contacts[0].interference = 0.1; }),
+             ContainsSubstring("draw"));
+  CHECK_THAT(message([](Scene& s) { s.contacts[0].adjust = 0.1; }), ContainsSubstring("draw"));
+  CHECK_THAT(message([](Scene& s) { s.contacts[0].small_sliding = true; }),
+             ContainsSubstring("leave small_sliding out"));
+  CHECK_THAT(message([](Scene& s) { s.contacts.clear(); }), ContainsSubstring("without contact"));
+}
+
+TEST_CASE("a source that leaves its target for good ends the path at the last good state",
+          "[motion]") {
+  MovingBlocks of;
+  of.drag = 7;
+  of.steps = 14;
+  Scene scene = moving_blocks(of);
+  scene.path->halvings = 3;
+  const PathEnd end = solve_steps(scene);
+  CHECK(end.status == SolveStatus::IterationLimit);
+  CHECK(end.state.time > 1.5);
+  CHECK_THAT(end.reason,
+             ContainsSubstring("no pairs are found") && ContainsSubstring("the last good state"));
+  CHECK_NOTHROW([&] {
+    Model model = built(scene);
+    check_state(end.state, model);
+  }());
+}
+
+TEST_CASE("a body that turns is noted, and refused beyond 1e-2", "[motion]") {
+  const auto scene = [](double turn) {
+    Scene turns = moving_blocks();
+    Body& body = turns.bodies[1];
+    const auto given = [turn](Axis axis) {
+      return prescribed("top", axis, [=](const Vector2d& x) {
+        return axis == Axis::X ? 0 : -0.01 + turn * (x.x() - 1.5);
+      });
+    };
+    body.supports = {given(Axis::X), given(Axis::Y)};
+    turns.path = Path{{1}, {}};
+    return turns;
+  };
+  CHECK_THAT(unsolved(scene(0.03), SolveStatus::TurnedTooFar),
+             ContainsSubstring("body 'block' has turned by 0.01"));
+  std::vector<std::string> notes;
+  const PathEnd end = solve_steps(
+      scene(0.004), [&](const Model&, const Step& step) { notes = step.solution.notes; });
+  CHECK(end.status == SolveStatus::Solved);
+  CHECK(std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
+    return note.find("has turned by 0.00") != std::string::npos;
+  }));
+}
+
+TEST_CASE("the mean turn is that of a turn, and none of a strain", "[motion]") {
+  const Mesh mesh = block("body", {1, 2}, {3, 1}, 3, 2);
+  const std::vector<MeshPiece> whole = pieces(mesh);
+  REQUIRE(whole.size() == 1);
+  for (const double angle : {-3.0, -0.1, 1e-9, 0.3, 1.5, 3.1})
+    CHECK(std::abs(mean_turn(mesh, whole[0], turned_by(angle, mesh.nodes)) - angle) <= 1e-14);
+  Eigen::Matrix2d strain;
+  strain << 0.1, 0.05, 0.05, -0.2;
+  CHECK(std::abs(mean_turn(mesh, whole[0], mesh.nodes * strain)) <= 1e-15);
+}
