@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "addons/certified/dense_programme.hpp"
+#include "addons/certified/proofs.hpp"
 #include "addons/certified/separate.hpp"
 #include "addons/certified/solve_with_proofs.hpp"
 #include "signorini/core/dense.hpp"
@@ -295,7 +295,7 @@ CertifiedSolution certified_solve(const QuadraticProgramme& programme,
     return separate_solutions(programme, condensed, null_vectors, systems, solver, options, ledger);
   CertifiedSolution end =
       CertifiedSolve(programme, condensed, null_vectors, ledger).run(solver, options);
-  for (Solver (*const next)() : solver.others) {
+  for (Solver (*const next)() : asked_after(solver)) {
     const SolveStatus status = end.state.report.status;
     const bool lost = status == SolveStatus::Breakdown || status == SolveStatus::IterationLimit;
     if (!lost || options.iteration_limit > 0) break;

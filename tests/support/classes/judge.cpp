@@ -3,8 +3,8 @@
 #include <functional>
 #include <stdexcept>
 
-#include "addons/certified/dense_programme.hpp"
 #include "addons/certified/solve_with_proofs.hpp"
+#include "addons/programme/dense_programme.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/solvers/portfolio.hpp"
 #include "support/classes/checks.hpp"
