@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "interfaces.hpp"
-#include "signorini/contact/mortar_segments.hpp"
+#include "signorini/pairing/mortar_segments.hpp"
 #include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/table.hpp"

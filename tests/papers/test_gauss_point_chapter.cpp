@@ -6,7 +6,7 @@
 #include "../chapters/ch10_gauss_points/whole_system.hpp"
 #include "../chapters/ch11_hertz/as_printed.hpp"
 #include "catch_compat.hpp"
-#include "signorini/contact/gauss_points.hpp"
+#include "signorini/pairing/gauss_points.hpp"
 #include "signorini/core/random.hpp"
 
 using namespace ch10;

@@ -2,7 +2,7 @@
 #pragma once
 #include <cmath>
 
-#include "signorini/contact/mortar.hpp"
+#include "signorini/pairing/mortar.hpp"
 #include "signorini/fem/block.hpp"
 
 namespace signorini_test {

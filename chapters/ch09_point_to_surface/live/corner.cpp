@@ -3,7 +3,7 @@
 
 #include "../contact_element.hpp"
 #include "live/figure.hpp"
-#include "signorini/contact/target_search.hpp"
+#include "signorini/pairing/target_search.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/fem/block.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "signorini/contact/target_search.hpp"
+#include "signorini/pairing/target_search.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/fem/side_curve.hpp"
 #include "signorini/scene/bodies.hpp"

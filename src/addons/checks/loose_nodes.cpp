@@ -18,7 +18,7 @@
 
 #include "signorini/core/index.hpp"
 #include "signorini/fem/side_curve.hpp"
-#include "signorini/fem/side_tree.hpp"
+#include "signorini/pairing/side_tree.hpp"
 
 namespace signorini {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "signorini/contact/target_search.hpp"
+#include "signorini/pairing/target_search.hpp"
 #include "signorini/fem/side_curve.hpp"
 
 namespace signorini {

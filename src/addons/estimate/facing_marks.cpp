@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "addons/estimate/outline_shape.hpp"
-#include "signorini/contact/target_search.hpp"
+#include "signorini/pairing/target_search.hpp"
 #include "signorini/core/index.hpp"
 #include "signorini/scene/bodies.hpp"
 

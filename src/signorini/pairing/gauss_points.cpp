@@ -15,11 +15,11 @@
 // the others. Four pressures then are not determined, only the forces that they make on the nodes.
 // Chapter 10 shows what a solver does with this freedom.
 
-#include "signorini/contact/gauss_points.hpp"
+#include "signorini/pairing/gauss_points.hpp"
 
 #include <set>
 
-#include "signorini/contact/pair_rows.hpp"
+#include "signorini/pairing/pair_rows.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/fem/element.hpp"
 

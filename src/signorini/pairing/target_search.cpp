@@ -13,13 +13,13 @@
 // decided by rounding at each node. So all candidates within rounding are kept until the end, and
 // rules decide.
 
-#include "signorini/contact/target_search.hpp"
+#include "signorini/pairing/target_search.hpp"
 
 #include <algorithm>
 #include <map>
 #include <utility>
 
-#include "signorini/contact/target_query.hpp"
+#include "signorini/pairing/target_query.hpp"
 
 namespace signorini {
 

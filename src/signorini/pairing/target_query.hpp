@@ -15,7 +15,7 @@
 #include <limits>
 #include <vector>
 
-#include "signorini/contact/target_search.hpp"
+#include "signorini/pairing/target_search.hpp"
 #include "signorini/core/rounding.hpp"
 
 namespace signorini {

@@ -8,8 +8,8 @@
 #include <array>
 #include <vector>
 
-#include "signorini/contact/dual_basis.hpp"
-#include "signorini/contact/interface.hpp"
+#include "signorini/pairing/dual_basis.hpp"
+#include "signorini/pairing/interface.hpp"
 
 namespace signorini {
 

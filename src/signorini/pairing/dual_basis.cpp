@@ -16,7 +16,7 @@
 // From \f$(1 + s)^2/4 < 1/2\f$, that is \f$s < 0.414\f$, the second end hands its part of this
 // edge to the first one.
 
-#include "signorini/contact/dual_basis.hpp"
+#include "signorini/pairing/dual_basis.hpp"
 
 namespace signorini {
 namespace {

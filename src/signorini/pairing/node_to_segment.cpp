@@ -13,12 +13,12 @@
 // Only nodes of the source are kept out of the target. A node of the target between two nodes of
 // the source may enter it, which is why the finer mesh should be the source.
 
-#include "signorini/contact/node_to_segment.hpp"
+#include "signorini/pairing/node_to_segment.hpp"
 
 #include <algorithm>
 #include <map>
 
-#include "signorini/contact/pair_rows.hpp"
+#include "signorini/pairing/pair_rows.hpp"
 #include "signorini/fem/assembly.hpp"
 
 namespace signorini {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "signorini/contact/gap_operators.hpp"
-#include "signorini/contact/target_search.hpp"
+#include "signorini/pairing/target_search.hpp"
 #include "signorini/fem/side_curve.hpp"
 
 namespace signorini {

@@ -12,7 +12,7 @@
 // points, so that their moments add up to zero, too. Friction acts across this line: two friction
 // forces a gap apart turn the bodies a little, and the moments below keep account of it.
 
-#include "signorini/contact/pair_rows.hpp"
+#include "signorini/pairing/pair_rows.hpp"
 
 namespace signorini {
 namespace {

@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "signorini/contact/target_query.hpp"
+#include "signorini/pairing/target_query.hpp"
 
 namespace signorini {
 

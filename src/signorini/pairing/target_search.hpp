@@ -11,7 +11,7 @@
 
 #include "signorini/fem/mesh.hpp"
 #include "signorini/fem/side_curve.hpp"
-#include "signorini/fem/side_tree.hpp"
+#include "signorini/pairing/side_tree.hpp"
 
 namespace signorini {
 

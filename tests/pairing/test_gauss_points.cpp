@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
-#include "signorini/contact/gauss_points.hpp"
+#include "signorini/pairing/gauss_points.hpp"
 #include "signorini/core/dense.hpp"
 #include "signorini/fem/element.hpp"
 #include "signorini/problem/certificate.hpp"

@@ -15,12 +15,12 @@
 // and \f$+0.0625\f$ on the target. They add up to \f$-1\f$, and a uniform pressure uses sums of
 // rows, in which the odd signs cancel.
 
-#include "signorini/contact/mortar.hpp"
+#include "signorini/pairing/mortar.hpp"
 
 #include <map>
 
-#include "signorini/contact/mortar_segments.hpp"
-#include "signorini/contact/pair_rows.hpp"
+#include "signorini/pairing/mortar_segments.hpp"
+#include "signorini/pairing/pair_rows.hpp"
 #include "signorini/core/errors.hpp"
 
 namespace signorini {

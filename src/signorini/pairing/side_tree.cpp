@@ -12,7 +12,7 @@
 // most, it can hold such a place only if it comes within \f$r\sin\alpha\f$ of the axis through
 // \f$p\f$. A flat target has \f$\alpha = 0\f$, and what lies beside it is told at the first box.
 
-#include "signorini/fem/side_tree.hpp"
+#include "signorini/pairing/side_tree.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "signorini/contact/interface.hpp"
+#include "signorini/pairing/interface.hpp"
 
 namespace signorini {
 

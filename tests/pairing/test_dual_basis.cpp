@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "catch_compat.hpp"
-#include "signorini/contact/dual_basis.hpp"
+#include "signorini/pairing/dual_basis.hpp"
 #include "signorini/fem/element.hpp"
 #include "support/random.hpp"
 

@@ -5,7 +5,7 @@
 // or no solution, with a message that speaks of matrices. Here it is still geometry, and a user
 // can act on it.
 
-#include "signorini/contact/interface.hpp"
+#include "signorini/pairing/interface.hpp"
 
 #include <cmath>
 

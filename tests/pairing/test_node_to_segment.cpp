@@ -2,7 +2,7 @@
 
 #include "catch_compat.hpp"
 #include "meshes/ring.hpp"
-#include "signorini/contact/node_to_segment.hpp"
+#include "signorini/pairing/node_to_segment.hpp"
 #include "signorini/fem/assembly.hpp"
 #include "support/interfaces.hpp"
 #include "support/message.hpp"

@@ -10,7 +10,7 @@
 // is 0.2236. On the whole edge two points give 0.189, three 0.278 and six 0.219. With cuts two
 // points are enough.
 
-#include "signorini/contact/mortar_segments.hpp"
+#include "signorini/pairing/mortar_segments.hpp"
 
 #include <algorithm>
 #include <map>

@@ -1,10 +1,11 @@
 // Several processes assemble K by parts.
 #include "catch_compat.hpp"
-#include "signorini/scene/bodies.hpp"
+#include "command_line/stiffness_share.hpp"
 #include "support/effect_examples.hpp"
 #include "support/random_scenes.hpp"
 
 using namespace signorini;
+using command_line::stiffness_share;
 using Eigen::SparseMatrix;
 
 namespace {
