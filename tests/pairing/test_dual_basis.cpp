@@ -2,8 +2,8 @@
 #include <vector>
 
 #include "catch_compat.hpp"
-#include "signorini/pairing/dual_basis.hpp"
 #include "signorini/fem/element.hpp"
+#include "signorini/pairing/dual_basis.hpp"
 #include "support/random.hpp"
 
 using Eigen::Matrix2d;

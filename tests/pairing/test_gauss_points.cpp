@@ -1,9 +1,9 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
-#include "signorini/pairing/gauss_points.hpp"
 #include "signorini/core/dense.hpp"
 #include "signorini/fem/element.hpp"
+#include "signorini/pairing/gauss_points.hpp"
 #include "signorini/problem/certificate.hpp"
 #include "support/interfaces.hpp"
 #include "support/message.hpp"

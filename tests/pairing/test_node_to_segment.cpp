@@ -2,8 +2,8 @@
 
 #include "catch_compat.hpp"
 #include "meshes/ring.hpp"
-#include "signorini/pairing/node_to_segment.hpp"
 #include "signorini/fem/assembly.hpp"
+#include "signorini/pairing/node_to_segment.hpp"
 #include "support/interfaces.hpp"
 #include "support/message.hpp"
 

@@ -4,9 +4,9 @@
 #include "catch_compat.hpp"
 #include "meshes/ring.hpp"
 #include "meshes/split.hpp"
-#include "signorini/pairing/target_search.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/fem/block.hpp"
+#include "signorini/pairing/target_search.hpp"
 #include "support/random.hpp"
 
 using Eigen::Index;

@@ -96,11 +96,11 @@ TEST_CASE("neither a solution nor a proof that a solver claims is believed unsee
   // u <= -1 and -u <= -1; the sum of both is 0 <= -2.
   const DenseProgramme impossible{MatrixXd::Ones(1, 1), VectorXd::Zero(1), Eigen::Vector2d(1, -1),
                                   Eigen::Vector2d(-1, -1)};
-  static DenseSolution claim;
-  const Solver recites = Solver{"recital", "says what it was told to", nullptr}.on_programmes(
-      [](const DenseProgramme& /*programme*/, const SolverOptions& /*options*/) { return claim; });
-  claim = {};
-  claim.refined = {VectorXd::Zero(1), {}, Eigen::Vector2d::Zero()};
+  static ContactState claim;
+  const Solver recites = {
+      "recital", "says what it was told to",
+      [](const ContactProblem& /*problem*/, const SolverOptions& /*options*/) { return claim; }};
+  claim.force = claim.gap = Eigen::Vector2d::Zero();
   claim.report.status = SolveStatus::Infeasible;
   claim.farkas_certificate = Eigen::Vector2d(1, 1);
   CHECK(solve(impossible, recites).report.status == SolveStatus::Infeasible);

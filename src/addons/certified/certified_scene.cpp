@@ -88,7 +88,8 @@ Solution certified_solve(const Model& model, const Condensed& condensed, const S
   });
   std::vector<std::string> notes = notes_of(model, end);
   if (end.state.report.status == SolveStatus::Ray) end.state.reason = ray_in_words(model);
-  Solution solution = recovered(model, condensed, std::move(end), std::move(notes), std::move(ledger));
+  Solution solution =
+      recovered(model, condensed, std::move(end), std::move(notes), std::move(ledger));
   const VectorXd& away = solution.contact.unbounded_direction;
   solution.unbounded_direction = unbounded_direction_in_words(model, away);
   if (away.size() > 0 && !model.law.pair.empty() && model.parts.empty())

@@ -78,9 +78,8 @@ DenseSolution goldfarb_idnani(const DenseProgramme& programme, const SolverOptio
                          DualActiveSet::Step::Single);
 }
 
-decltype(Solver::solve_programme) on_programmes(const Solver& solver) {
+ProgrammeMethod on_programmes(const Solver& solver) {
   using Method = decltype(Solver::solve);
-  if (solver.solve_programme != nullptr) return solver.solve_programme;
   if (solver.solve == Method{quasi_active_set}) return quasi_active_set;
   if (solver.solve == Method{goldfarb_idnani}) return goldfarb_idnani;
   return nullptr;

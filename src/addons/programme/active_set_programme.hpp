@@ -26,9 +26,13 @@ namespace signorini {
 [[nodiscard]] DenseSolution goldfarb_idnani(const DenseProgramme& programme,
                                             const SolverOptions& options = {});
 
+/// A method for programmes.
+using ProgrammeMethod = DenseSolution (*)(const DenseProgramme& programme,
+                                          const SolverOptions& options);
+
 /// How a member solves a programme without condensing it to the pairs first.
 /// \param solver  a member
-/// \return its own `solve_programme`; one of the two functions above for the members of their names; else null
-[[nodiscard]] decltype(Solver::solve_programme) on_programmes(const Solver& solver);
+/// \return one of the two functions above for the members of their names; else null
+[[nodiscard]] ProgrammeMethod on_programmes(const Solver& solver);
 
 }  // namespace signorini

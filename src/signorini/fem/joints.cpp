@@ -88,8 +88,7 @@ std::vector<MeshPiece> pieces(const Mesh& mesh) {
     for (Index k = 1, n = mesh.cell_size(cell); k < n; ++k)
       sets.join(mesh.cells(cell, 0), mesh.cells(cell, k));
   std::vector<Index> cells(at(mesh.n_nodes()), 0);
-  for (Index cell = 0; cell < mesh.n_cells(); ++cell)
-    ++cells[at(sets.name(mesh.cells(cell, 0)))];
+  for (Index cell = 0; cell < mesh.n_cells(); ++cell) ++cells[at(sets.name(mesh.cells(cell, 0)))];
   std::vector<MeshPiece> found;
   std::vector<std::size_t> place(cells.size());  // of the piece that a node names
   for (Index node = 0; node < mesh.n_nodes(); ++node) {

@@ -28,7 +28,8 @@ GapOperator SIGNORINI_GAP_OPERATORS;  // declares them
 // this folder, see [registered.cpp](registered.cpp).
 void register_gap_operators() {
   using namespace gap_operator;
-  for (const GapOperator& member : {SIGNORINI_GAP_OPERATORS}) add_gap_operator(member);
+  static const std::vector<GapOperator> family = {SIGNORINI_GAP_OPERATORS};
+  for (const GapOperator& member : family) add_gap_operator(member);
 }
 
 }  // namespace signorini

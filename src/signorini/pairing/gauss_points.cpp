@@ -19,9 +19,9 @@
 
 #include <set>
 
-#include "signorini/pairing/pair_rows.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/fem/element.hpp"
+#include "signorini/pairing/pair_rows.hpp"
 
 namespace signorini {
 namespace {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "signorini/contact/gap_operators.hpp"
-#include "signorini/pairing/target_search.hpp"
 #include "signorini/fem/side_curve.hpp"
+#include "signorini/pairing/target_search.hpp"
 
 namespace signorini {
 

@@ -19,9 +19,9 @@
 
 #include <map>
 
+#include "signorini/core/errors.hpp"
 #include "signorini/pairing/mortar_segments.hpp"
 #include "signorini/pairing/pair_rows.hpp"
-#include "signorini/core/errors.hpp"
 
 namespace signorini {
 namespace {

@@ -18,8 +18,8 @@
 #include <algorithm>
 #include <map>
 
-#include "signorini/pairing/pair_rows.hpp"
 #include "signorini/fem/assembly.hpp"
+#include "signorini/pairing/pair_rows.hpp"
 
 namespace signorini {
 

@@ -15,8 +15,8 @@
 #include <limits>
 #include <vector>
 
-#include "signorini/pairing/target_search.hpp"
 #include "signorini/core/rounding.hpp"
+#include "signorini/pairing/target_search.hpp"
 
 namespace signorini {
 

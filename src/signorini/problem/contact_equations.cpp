@@ -71,7 +71,8 @@ ContactEquations::ContactEquations(const ScaledProblem& problem, const Formulati
       in_balance_(problem.rigid.cols() > 0 && form.reading == Reading::Mended),
       compliance_(in_balance_ ? balanced_compliance(problem) : problem.compliance),
       free_(problem.free),
-      force_scale_(form.reading == Reading::Mended ? force_scale(problem, compliance_) : 1),
+      force_scale_(form.reading == Reading::Mended ? signorini::force_scale(problem, compliance_)
+                                                   : 1),
       movement_(problem.free.size()),
       cohesion_(VectorXd::Zero(slips())) {
   compliance_ /= force_scale_;

@@ -27,8 +27,9 @@ const char* to_string(ContactStatus contact_status) {
 
 // Messages and tables print these words. Only the first one may be called a solution.
 const char* to_string(SolveStatus status) {
-  constexpr const char* words[] = {"solved", "feasible, not optimal", "infeasible", "ray",
-                                   "iteration limit", "breakdown", "jump", "slid too far"};
+  constexpr const char* words[] = {"solved", "feasible, not optimal", "infeasible",
+                                   "ray",    "iteration limit",       "breakdown",
+                                   "jump",   "slid too far"};
   static_assert(std::size(words) == static_cast<std::size_t>(SolveStatus::SlidTooFar) + 1);
   return words[static_cast<std::size_t>(status)];
 }

@@ -64,7 +64,7 @@ void join_columns(const Eigen::SparseMatrix<double>& K, const Eigen::VectorXd& r
 // settle it. Of the six unknowns of the example, each of the three bodies needs one step of the
 // first loop. The gap then joins {1, 2} with {3, 4}, and 6 sets have become 2.
 DisjointSets joined(const QuadraticProgramme& programme, const FrictionLaw& law,
-              const Eigen::MatrixXd& null_vectors, double weak) {
+                    const Eigen::MatrixXd& null_vectors, double weak) {
   const Index n = programme.load.size();
   const Eigen::VectorXd root =
       Eigen::VectorXd(programme.stiffness.diagonal()).cwiseMax(0).cwiseSqrt();

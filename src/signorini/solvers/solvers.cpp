@@ -29,9 +29,9 @@ namespace signorini {
 
 // Traits are printed where a test says on which kind of problem a member failed.
 const char* to_string(Trait trait) {
-  constexpr const char* words[] = {"ordinary",   "asymmetric",      "dependent",
-                                   "infeasible", "degenerate",      "ill-conditioned",
-                                   "slow",       "several pairs",   "friction"};
+  constexpr const char* words[] = {"ordinary",   "asymmetric",    "dependent",
+                                   "infeasible", "degenerate",    "ill-conditioned",
+                                   "slow",       "several pairs", "friction"};
   static_assert(std::size(words) == static_cast<std::size_t>(Trait::Friction) + 1);
   return words[static_cast<std::size_t>(trait)];
 }
