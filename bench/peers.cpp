@@ -4,8 +4,8 @@
 #include <iostream>
 #include <map>
 
-#include "addons/certified/dense_programme.hpp"
 #include "addons/frontal/frontal_factor.hpp"
+#include "addons/programme/dense_programme.hpp"
 #include "bench/measure.hpp"
 #include "bench/peers/hertz_comparison.hpp"
 #include "bench/peers/linear_comparison.hpp"

@@ -1,7 +1,7 @@
 #include <utility>
 
-#include "addons/certified/active_set_programme.hpp"
-#include "addons/certified/dense_programme.hpp"
+#include "addons/programme/active_set_programme.hpp"
+#include "addons/programme/dense_programme.hpp"
 #include "bench/measure.hpp"
 #include "bench/peers/peer.hpp"
 #include "papers/solver_table.hpp"

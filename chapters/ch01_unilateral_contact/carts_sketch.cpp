@@ -2,7 +2,7 @@
 // Run:  make ch01     Reads: nothing     Writes: fig_1_4.csv, fig_1_4_springs.csv
 #include <cmath>
 
-#include "addons/certified/dense_programme.hpp"
+#include "addons/programme/dense_programme.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"

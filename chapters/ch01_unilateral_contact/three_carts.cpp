@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <iostream>
 
-#include "addons/certified/dense_programme.hpp"
+#include "addons/programme/dense_programme.hpp"
 #include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/table.hpp"

@@ -3,10 +3,10 @@
 //      fig_1_3_nodes.csv, fig_1_3_arrows.csv
 #include <cmath>
 
-#include "signorini/contact/node_to_segment.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/fem/block.hpp"
+#include "signorini/pairing/node_to_segment.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/report/results.hpp"
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "addons/certified/dense_programme.hpp"
+#include "addons/programme/dense_programme.hpp"
 #include "papers/examples.hpp"
 #include "papers/surrogate_dual.hpp"
 #include "signorini/core/table.hpp"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "addons/certified/dense_programme.hpp"
+#include "addons/programme/dense_programme.hpp"
 #include "support/exact.hpp"
 
 namespace ch04 {

@@ -3,7 +3,7 @@
 // --full: ten times as many problems, a minute.
 #include <algorithm>
 
-#include "addons/certified/dense_programme.hpp"
+#include "addons/programme/dense_programme.hpp"
 #include "papers/examples.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/random.hpp"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "addons/certified/dense_programme.hpp"
+#include "addons/programme/dense_programme.hpp"
 #include "papers/examples.hpp"
 #include "papers/quasi_active_set_literal.hpp"
 #include "signorini/core/errors.hpp"

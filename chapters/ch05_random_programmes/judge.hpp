@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "addons/certified/dense_programme.hpp"
+#include "addons/programme/dense_programme.hpp"
 #include "papers/examples.hpp"
 #include "papers/solver_table.hpp"
 

@@ -2,7 +2,6 @@
 #pragma once
 #include <string>
 
-#include "addons/frontal/frontal_factor.hpp"  // the factor of these scenes, linked with it
 #include "closed_form/beam.hpp"
 #include "signorini/fem/block.hpp"
 #include "signorini/report/pressure_table.hpp"

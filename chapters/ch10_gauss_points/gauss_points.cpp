@@ -1,7 +1,7 @@
 // Chapter 10 - One Gauss point and the forces on its four nodes (Lin et al., sec. 2.4, eqs. 32-41).
 // Run:  make ch10     Reads: nothing     Writes: ch10.results, element.md, few.md,
 //       fig_10_1.csv
-#include "signorini/contact/gauss_points.hpp"
+#include "signorini/pairing/gauss_points.hpp"
 
 #include <algorithm>
 #include <array>

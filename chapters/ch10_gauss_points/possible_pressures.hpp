@@ -1,6 +1,6 @@
 // Which pressures closed points may have while no node feels a difference.
 #pragma once
-#include "addons/certified/active_set_programme.hpp"
+#include "addons/programme/active_set_programme.hpp"
 #include "closed_points.hpp"
 #include "signorini/core/errors.hpp"
 

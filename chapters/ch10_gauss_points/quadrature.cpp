@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "interfaces.hpp"
-#include "signorini/contact/mortar_segments.hpp"
 #include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/table.hpp"
+#include "signorini/pairing/mortar_segments.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/report/results.hpp"
 

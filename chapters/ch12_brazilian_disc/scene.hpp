@@ -10,6 +10,7 @@
 #include "meshes/disc.hpp"
 #include "meshes/half_space.hpp"
 #include "signorini/fem/reshape.hpp"
+#include "signorini/pairing/mortar.hpp"  // the operators of these contacts, linked with it
 #include "signorini/report/shown.hpp"
 #include "signorini/scene/readings.hpp"
 

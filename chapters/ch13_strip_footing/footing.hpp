@@ -5,6 +5,7 @@
 #include "meshes/half_space.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/core/table.hpp"
+#include "signorini/pairing/mortar.hpp"  // the operators of these contacts, linked with it
 #include "signorini/scene/readings.hpp"
 
 namespace ch13 {

@@ -8,6 +8,7 @@
 #include "closed_form/moduli.hpp"
 #include "closed_form/rings.hpp"
 #include "meshes/ring.hpp"
+#include "signorini/pairing/mortar.hpp"  // the operators of these contacts, linked with it
 #include "signorini/scene/readings.hpp"
 
 namespace ch14 {

@@ -6,6 +6,7 @@
 
 #include "meshes/hertz_meshes.hpp"
 #include "signorini/fem/reshape.hpp"
+#include "signorini/pairing/mortar.hpp"  // the operators of these contacts, linked with it
 #include "slider.hpp"
 
 namespace ch15 {

@@ -7,10 +7,10 @@
 #include <variant>
 #include <vector>
 
-#include "addons/certified/dense_programme.hpp"
 #include "addons/certified/solve_with_proofs.hpp"
 #include "addons/files/problem_file.hpp"
 #include "addons/files/scene_file.hpp"
+#include "addons/programme/dense_programme.hpp"
 #include "addons/steps/steps_limit.hpp"
 #include "exhibit.hpp"
 #include "papers/solver_table.hpp"

@@ -8,6 +8,7 @@
 #include "closed_form/hertz_fit.hpp"
 #include "closed_form/moduli.hpp"
 #include "meshes/hertz_meshes.hpp"
+#include "signorini/pairing/mortar.hpp"  // the operators of these contacts, linked with it
 #include "signorini/scene/readings.hpp"
 
 namespace signorini {

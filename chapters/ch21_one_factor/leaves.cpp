@@ -7,6 +7,7 @@
 #include "scenes.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/table.hpp"
+#include "signorini/pairing/mortar.hpp"  // the operators of these contacts, linked with it
 #include "signorini/report/program.hpp"
 #include "signorini/report/results.hpp"
 #include "signorini/scene/readings.hpp"

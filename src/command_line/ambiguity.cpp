@@ -4,7 +4,7 @@
 #include <cmath>
 #include <ostream>
 
-#include "addons/certified/undetermined.hpp"
+#include "addons/checks/undetermined.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/problem/active_set_system.hpp"

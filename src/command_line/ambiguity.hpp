@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "addons/certified/dense_programme.hpp"
 #include "addons/files/json.hpp"
+#include "addons/programme/dense_programme.hpp"
 #include "command_line/outcome.hpp"
 
 namespace command_line {

@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <string_view>
 
+#include "command_line/stiffness_share.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/scene/bodies.hpp"
 
 namespace command_line {
 

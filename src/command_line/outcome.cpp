@@ -4,10 +4,10 @@
 #include <chrono>
 #include <cmath>
 
-#include "addons/certified/dense_programme.hpp"
-#include "addons/certified/floating_programme.hpp"
 #include "addons/certified/solve_with_proofs.hpp"
-#include "addons/certified/undetermined.hpp"
+#include "addons/checks/undetermined.hpp"
+#include "addons/programme/dense_programme.hpp"
+#include "addons/programme/floating_programme.hpp"
 #include "command_line/ambiguity.hpp"
 #include "papers/solver_table.hpp"
 #include "signorini/core/dense.hpp"

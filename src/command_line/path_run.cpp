@@ -21,6 +21,7 @@
 #include "signorini/core/table.hpp"
 #include "signorini/report/pressure_table.hpp"
 #include "signorini/report/results.hpp"
+#include "signorini/report/vtu.hpp"
 
 namespace command_line {
 namespace {

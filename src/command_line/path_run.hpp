@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "addons/files/json.hpp"
+#include "addons/files/pvd.hpp"
 #include "command_line/scene_run.hpp"
-#include "signorini/report/vtu.hpp"
 
 namespace command_line {
 

@@ -53,7 +53,7 @@ CertifiedSolution certified(const VectorXd& load, const MatrixXd& A, const Vecto
   Ledger ledger;
   const Solver solver = {"recital", "says what it was told to", recite};
   return certified_solve(programme, {problem, load, [](const VectorXd& force) { return force; }},
-                         {}, solver.before(others), options, ledger);
+                         {}, Solver(solver).before(others), options, ledger);
 }
 
 // {0} asks for {0, 1}, in which 0 pulls; the solution is {1}.

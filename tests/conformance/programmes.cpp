@@ -1,6 +1,6 @@
 // Every solver from K, p, A, g to a certified solution, where the classes do not ask for it.
-#include "addons/certified/dense_programme.hpp"
-#include "addons/certified/floating_programme.hpp"
+#include "addons/programme/dense_programme.hpp"
+#include "addons/programme/floating_programme.hpp"
 #include "catch_compat.hpp"
 #include "papers/solver_table.hpp"
 #include "support/chosen.hpp"

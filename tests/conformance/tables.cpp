@@ -4,7 +4,7 @@
 #include <set>
 #include <string>
 
-#include "addons/certified/dense_programme.hpp"
+#include "addons/programme/dense_programme.hpp"
 #include "catch_compat.hpp"
 #include "papers/solver_table.hpp"
 #include "support/chosen.hpp"

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "addons/checks/loose_nodes.hpp"
 #include "addons/estimate/mesh_refinement.hpp"
 #include "catch_compat.hpp"
 #include "meshes/ring.hpp"
@@ -12,7 +13,6 @@
 #include "signorini/core/random.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/fem/block.hpp"
-#include "signorini/fem/joints.hpp"
 #include "signorini/fem/regions.hpp"
 #include "signorini/fem/reshape.hpp"
 #include "support/half_disc.hpp"

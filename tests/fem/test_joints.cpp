@@ -2,6 +2,7 @@
 #include <numeric>
 #include <set>
 
+#include "addons/checks/loose_nodes.hpp"
 #include "catch_compat.hpp"
 #include "meshes/disc.hpp"
 #include "meshes/half_space.hpp"

@@ -1,9 +1,9 @@
 // From two-sided rows to one-sided ones and back, against published optima.
 #include <filesystem>
 
-#include "addons/certified/dense_programme.hpp"
 #include "addons/files/problem_file.hpp"
 #include "addons/files/two_sided.hpp"
+#include "addons/programme/dense_programme.hpp"
 #include "catch_compat.hpp"
 #include "papers/solver_table.hpp"
 #include "support/message.hpp"

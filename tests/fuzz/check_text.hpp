@@ -5,8 +5,8 @@
 #include <string_view>
 #include <variant>
 
-#include "addons/certified/dense_programme.hpp"
 #include "addons/files/problem_file.hpp"
+#include "addons/programme/dense_programme.hpp"
 #include "papers/solver_table.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/problem/certificate.hpp"

@@ -6,8 +6,8 @@
 #include "../chapters/ch10_gauss_points/whole_system.hpp"
 #include "../chapters/ch11_hertz/as_printed.hpp"
 #include "catch_compat.hpp"
-#include "signorini/contact/gauss_points.hpp"
 #include "signorini/core/random.hpp"
+#include "signorini/pairing/gauss_points.hpp"
 
 using namespace ch10;
 

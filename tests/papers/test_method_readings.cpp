@@ -1,6 +1,6 @@
 // What each reading of the printed method ends with, on problems by hand; and shares of random programmes.
 #include "../chapters/ch05_random_programmes/readings.hpp"
-#include "addons/certified/dense_programme.hpp"
+#include "addons/programme/dense_programme.hpp"
 #include "catch_compat.hpp"
 #include "papers/examples.hpp"
 #include "papers/method_readings.hpp"

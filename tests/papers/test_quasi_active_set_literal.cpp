@@ -1,5 +1,5 @@
 // The quasi-active-set method as printed: its way, and that it says truly how it ended.
-#include "addons/certified/dense_programme.hpp"
+#include "addons/programme/dense_programme.hpp"
 #include "catch_compat.hpp"
 #include "papers/examples.hpp"
 #include "papers/quasi_active_set_literal.hpp"

@@ -1,7 +1,7 @@
 // Which violated rows make up the quasi-active set, and when its loop ends.
 #include <algorithm>
 
-#include "addons/certified/dense_programme.hpp"
+#include "addons/programme/dense_programme.hpp"
 #include "catch_compat.hpp"
 #include "papers/examples.hpp"
 #include "papers/quasi_active_set_literal.hpp"

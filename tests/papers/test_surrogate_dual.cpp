@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "addons/certified/dense_programme.hpp"
+#include "addons/programme/dense_programme.hpp"
 #include "catch_compat.hpp"
 #include "papers/examples.hpp"
 #include "papers/surrogate_dual.hpp"

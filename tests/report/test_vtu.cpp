@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "addons/files/pvd.hpp"
 #include "catch_compat.hpp"
 #include "meshes/split.hpp"
 #include "signorini/fem/stress.hpp"

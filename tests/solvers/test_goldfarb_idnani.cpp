@@ -1,4 +1,4 @@
-#include "addons/certified/active_set_programme.hpp"
+#include "addons/programme/active_set_programme.hpp"
 #include "catch_compat.hpp"
 #include "papers/solver_table.hpp"
 #include "support/whole_numbers.hpp"

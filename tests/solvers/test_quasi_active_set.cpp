@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "addons/certified/active_set_programme.hpp"
+#include "addons/programme/active_set_programme.hpp"
 #include "catch_compat.hpp"
 #include "papers/examples.hpp"
 #include "papers/solver_table.hpp"

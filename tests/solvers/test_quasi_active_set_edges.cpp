@@ -1,6 +1,6 @@
 // The safeguarded quasi-active set at the edges: stiffness without inverse, rows that only touch, and what
 // counts as a proof.
-#include "addons/certified/active_set_programme.hpp"
+#include "addons/programme/active_set_programme.hpp"
 #include "catch_compat.hpp"
 #include "papers/solver_table.hpp"
 #include "signorini/core/errors.hpp"

@@ -2,8 +2,8 @@
 #pragma once
 #include <cmath>
 
-#include "signorini/contact/mortar.hpp"
 #include "signorini/fem/block.hpp"
+#include "signorini/pairing/mortar.hpp"
 
 namespace signorini_test {
 

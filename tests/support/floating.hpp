@@ -1,6 +1,6 @@
 // Bodies that supports leave free to move: a rigid bar, and programmes with a known answer.
 #pragma once
-#include "addons/certified/floating_programme.hpp"
+#include "addons/programme/floating_programme.hpp"
 #include "support/random.hpp"
 
 namespace signorini_test {

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "addons/certified/floating_programme.hpp"
+#include "addons/programme/floating_programme.hpp"
 #include "meshes/split.hpp"
 #include "papers/solver_table.hpp"
 #include "signorini/core/rounding.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 #include <string>
 
-#include "addons/certified/dense_programme.hpp"
+#include "addons/programme/dense_programme.hpp"
 #include "catch_compat.hpp"
 #include "papers/examples.hpp"
 #include "signorini/problem/certificate.hpp"

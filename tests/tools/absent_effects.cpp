@@ -8,7 +8,8 @@
 #include <iostream>
 
 #include "addons/certified/certified_solve.hpp"
-#include "addons/certified/undetermined.hpp"
+#include "addons/checks/loose_nodes.hpp"
+#include "addons/checks/undetermined.hpp"
 #include "addons/frontal/frontal_factor.hpp"
 #include "signorini/contact/node_to_obstacle.hpp"
 #include "signorini/core/errors.hpp"

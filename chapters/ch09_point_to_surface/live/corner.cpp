@@ -3,11 +3,11 @@
 
 #include "../contact_element.hpp"
 #include "live/figure.hpp"
-#include "signorini/contact/target_search.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/fem/block.hpp"
 #include "signorini/fem/reshape.hpp"
+#include "signorini/pairing/target_search.hpp"
 
 namespace live {
 namespace {

@@ -7,9 +7,6 @@
 #include "addons/certified/certified_solve.hpp"
 #include "addons/certified/end_words.hpp"
 #include "addons/certified/proofs.hpp"
-#include "addons/certified/sliding_verdict.hpp"
-#include "addons/certified/undetermined.hpp"
-#include "signorini/contact/gaps.hpp"
 #include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/problem/systems.hpp"
@@ -18,17 +15,10 @@
 #include "signorini/scene/ways.hpp"
 
 namespace signorini {
-namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// A share of the largest force. Where forces are known better no note is worth reading, for no length, modulus or load
-/// was measured so well; a larger share would keep silent about some of the six digits that are printed.
-constexpr double known_well = 1e-6;
-
-/// Up to which force a row carries none: a share, which a certificate lets pass, of the largest force and load of the
-/// system that it is in; or what rounding of the entries of K makes along its rigid motions, if that is more.
 VectorXd no_forces(const Model& model, const PrimalDual& refined) {
   const QuadraticProgramme& programme = model.programme;
   const VectorXd& force = refined.force;
@@ -53,6 +43,8 @@ VectorXd no_forces(const Model& model, const PrimalDual& refined) {
   }
   return none;
 }
+
+namespace {
 
 /// Says which motions the pairs that ended up closed leave open: how far they go is then one of many answers.
 void note_open_motions(const Model& model, const CertifiedSolution& end,
@@ -86,17 +78,6 @@ std::vector<std::string> notes_of(const Model& model, const CertifiedSolution& e
   return notes;
 }
 
-/// Says which forces could as well be others.
-void note_shared_forces(const Model& model, Solution& solution) {
-  const PrimalDual& refined = solution.refined;
-  Carried all = carried(model.programme, refined, model.law, all_statuses(solution.contact));
-  // Gaps and slips are rounded as the positions that they were made of.
-  all.rounding.array() += gap_rounding(model.pairs);
-  solution.shared = undetermined_forces(all);
-  std::string note = shared_forces_in_words(model, solution, known_well * largest(refined.force));
-  if (!note.empty()) solution.notes.push_back(std::move(note));
-}
-
 }  // namespace
 
 Solution certified_solve(const Model& model, const Condensed& condensed, const Solver& solver,
@@ -107,15 +88,8 @@ Solution certified_solve(const Model& model, const Condensed& condensed, const S
   });
   std::vector<std::string> notes = notes_of(model, end);
   if (end.state.report.status == SolveStatus::Ray) end.state.reason = ray_in_words(model);
-  const auto after = [&](Solution& solution) {
-    note_shared_forces(model, solution);
-    const auto none = [&] {
-      return std::max(known_well * largest(solution.refined.force),
-                      largest(no_forces(model, solution.refined)));
-    };
-    judge_sliding(model, condensed, none, solution);
-  };
-  Solution solution = recovered(model, std::move(end), std::move(notes), std::move(ledger), after);
+  Solution solution =
+      recovered(model, condensed, std::move(end), std::move(notes), std::move(ledger));
   const VectorXd& away = solution.contact.unbounded_direction;
   solution.unbounded_direction = unbounded_direction_in_words(model, away);
   if (away.size() > 0 && !model.law.pair.empty() && model.parts.empty())

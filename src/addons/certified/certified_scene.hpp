@@ -6,8 +6,8 @@
 
 namespace signorini {
 
-/// Solves a condensed model by certified_solve(). Notes say which motions and forces are not determined, whether other
-/// solutions exist, how well forces are known, and what sliding would do to them; `unbounded_direction` and `limit` of the
+/// Solves a condensed model by certified_solve(). Notes say which motions are not determined, whether other
+/// solutions exist and how well forces are known; `unbounded_direction` and `limit` of the
 /// solution say why a load is not held.
 /// \param model      from build()
 /// \param condensed  from condense() of it
@@ -19,6 +19,13 @@ namespace signorini {
 [[nodiscard]] Solution certified_solve(const Model& model, const Condensed& condensed,
                                        const Solver& solver, Ledger ledger,
                                        const SolverOptions& options);
+
+/// Up to which force a row carries none: a share, which a certificate lets pass, of the largest force and load of the
+/// system that it is in; or what rounding of the entries of K makes along its rigid motions, if that is more.
+/// \param model    that was solved
+/// \param refined  of its solution
+/// \return `n_c + n_s` [force]
+[[nodiscard]] Eigen::VectorXd no_forces(const Model& model, const PrimalDual& refined);
 
 /// Makes it the way in which solve() solves models from now on.
 void register_certified();

@@ -1,12 +1,13 @@
 #include "addons/certified/certified_solve.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <set>
 #include <utility>
 
-#include "addons/certified/dense_programme.hpp"
+#include "addons/certified/proofs.hpp"
 #include "addons/certified/separate.hpp"
 #include "addons/certified/solve_with_proofs.hpp"
 #include "signorini/core/dense.hpp"
@@ -22,6 +23,24 @@ using Eigen::VectorXd;
 /// check_problem() refuses smaller movements and resultants.
 constexpr double smallest_movement = 0x1p-340;
 constexpr double smallest_resultant = 0x1p-170;
+
+/// K u should do no work along rigid motions, but the entries of K are rounded, and somebody must carry the work that it does. Pairs
+/// whose force is no larger than that hold nothing. The motions that are free without them take their part out of the residual.
+VectorXd spread(const RefinementData& data, const VectorXd& residual, const VectorXd& force,
+                const std::vector<Index>& rows) {
+  const VectorXd inner = residual - (data.programme.load - data.programme.A.transpose() * force);
+  const auto along = [&](const MatrixXd& motions) {
+    const MatrixXd Q = column_span(motions).basis;
+    return VectorXd(Q * (Q.transpose() * inner));
+  };
+  const double nothing = along(data.null_vectors).lpNorm<1>();
+  std::vector<Index> holding;
+  for (const Index row : rows)
+    if (std::abs(force(row)) > nothing) holding.push_back(row);
+  if (holding.empty()) return residual - along(data.null_vectors);
+  const MatrixXd loose = null_space(data.condensed.rigid(holding, Eigen::all));
+  return loose.cols() == 0 ? residual : VectorXd(residual - along(data.null_vectors * loose));
+}
 
 /// The road, one pass of the solver after another.
 class CertifiedSolve {
@@ -239,7 +258,10 @@ CertifiedSolution CertifiedSolve::run(const Solver& solver, const SolverOptions&
 void CertifiedSolve::spread_imbalance() {
   if (end_.certificate.holds() || modes_.cols() == 0 || end_.solution.displacement.size() == 0)
     return;
-  data_.imbalance = Imbalance::Spread;
+  data_.spread = [&](const VectorXd& residual, const VectorXd& force,
+                     const std::vector<Index>& rows) {
+    return spread(data_, residual, force, rows);
+  };
   now_ = end_.solution;
   look(statuses_, end_.solution.force);
 }
@@ -295,7 +317,7 @@ CertifiedSolution certified_solve(const QuadraticProgramme& programme,
     return separate_solutions(programme, condensed, null_vectors, systems, solver, options, ledger);
   CertifiedSolution end =
       CertifiedSolve(programme, condensed, null_vectors, ledger).run(solver, options);
-  for (Solver (*const next)() : solver.others) {
+  for (Solver (*const next)() : asked_after(solver)) {
     const SolveStatus status = end.state.report.status;
     const bool lost = status == SolveStatus::Breakdown || status == SolveStatus::IterationLimit;
     if (!lost || options.iteration_limit > 0) break;

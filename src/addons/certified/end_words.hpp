@@ -9,6 +9,9 @@
 
 namespace signorini {
 
+/// Where a pair is. \param model  that has it \param pair  its number \return its node, if it has one, and the place
+[[nodiscard]] std::string pair_in_words(const Model& model, Eigen::Index pair);
+
 /// How bodies move along a direction that nothing stops.
 /// \param model   that was solved
 /// \param unbounded_direction  `n_r` amplitudes of its free motions, or nothing
@@ -37,14 +40,5 @@ namespace signorini {
 /// \return a sentence, with contact, pair, percent and the way out
 [[nodiscard]] std::string force_uncertainty_in_words(const Model& model,
                                                      const ForceUncertainty& figure);
-
-/// The note on pairs whose forces are not determined.
-/// \param model     that was solved
-/// \param solution  of it
-/// \param least     narrower ranges count as determined [force]
-/// \return sentences: all pairs; of the widest group how far the first forces go, the sum if that is determined, and the way
-///   out; empty if all are determined
-[[nodiscard]] std::string shared_forces_in_words(const Model& model, const Solution& solution,
-                                                 double least);
 
 }  // namespace signorini

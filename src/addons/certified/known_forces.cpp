@@ -6,7 +6,6 @@
 #include <memory>
 #include <utility>
 
-#include "addons/certified/undetermined.hpp"
 #include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"
 
@@ -99,6 +98,11 @@ class Estimate {
 };
 
 }  // namespace
+
+VectorXd movement_rounding(const QuadraticProgramme& programme, const PrimalDual& solution) {
+  const VectorXd moved = programme.A.cwiseAbs() * solution.displacement.cwiseAbs();
+  return 0.5 * epsilon * (programme.initial_gap.cwiseAbs() + moved);
+}
 
 ForceUncertainty force_uncertainty(const RefinementData& data, const RefinedSolution& refined,
                                    const PrimalDual& solution,

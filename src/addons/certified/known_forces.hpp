@@ -10,6 +10,17 @@
 
 namespace signorini {
 
+/// One rounding of every term of the movements of a solution, what they are known to at best.
+/// \param programme  A and g
+/// \param solution   u
+/// \return `n_c + n_s` [length]
+[[nodiscard]] Eigen::VectorXd movement_rounding(const QuadraticProgramme& programme,
+                                                const PrimalDual& solution);
+
+/// A share of the largest force. Where forces are known better no note is worth reading, for no length, modulus or load
+/// was measured so well; a larger share would keep silent about some of the six digits that are printed.
+inline constexpr double known_well = 1e-6;
+
 /// What rounding of the gaps may have done to the forces.
 struct ForceUncertainty {
   Eigen::Index pair = -1;  ///< whose force, or friction force, it may have moved most; -1 if none

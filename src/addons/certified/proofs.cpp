@@ -253,4 +253,27 @@ std::optional<ContactState> infeasible_resultant(const ContactProblem& problem,
   return state;
 }
 
+bool proves_infeasible(const QuadraticProgramme& programme, const VectorXd& y, const VectorXd& u,
+                       Index equations) {
+  const Index m = y.size();
+  require_argument(u.size() == programme.load.size(), "proves_infeasible: need ",
+                   programme.load.size(), " displacements, got ", u.size());
+  if (m == 0 || m > programme.initial_gap.size() || m < equations || !y.allFinite() ||
+      (y.tail(m - equations).array() < 0).any())
+    return false;
+  ExactSum work;
+  std::vector<ExactSum> moved(static_cast<std::size_t>(u.size()));
+  for (Index i = 0; i < m; ++i) {
+    work.add_product(programme.initial_gap(i), y(i));
+    for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator it(programme.A, i); it; ++it)
+      moved[static_cast<std::size_t>(it.col())].add_product(it.value(), y(i));
+  }
+  double escape = 0;
+  for (Index j = 0; j < u.size(); ++j)
+    escape += std::abs(moved[static_cast<std::size_t>(j)].value() * u(j));
+  const double rounding = epsilon * programme.initial_gap.head(m).cwiseAbs().dot(y.cwiseAbs());
+  return -work.value() > static_cast<double>(m) * rounding &&
+         -work.value() * std::sqrt(epsilon) > escape;
+}
+
 }  // namespace signorini

@@ -90,4 +90,18 @@ namespace signorini {
                                                    const std::vector<ContactStatus>& statuses,
                                                    const ActiveSetSolution& solution);
 
+/// Whether numbers prove that nothing satisfies A_e u = g_e and A_i u <= g_i: y_i >= 0, A^T y = 0 and
+/// g.y < 0, so that y.(g - A u) < 0 for all u.
+///
+/// Rounded numbers have A^T y = 0 to rounding only, and g.y > y.(A u) for a u that is large enough. They
+/// count as proof if that takes displacements larger than those at hand by half of the digits of a double.
+/// \param programme  A, g; with friction its slips, which have no part in a proof, are the last rows
+/// \param y          `m`, or fewer: those of the last rows are 0; those of equations have any sign
+/// \param u          `n` displacements that a method has come to
+/// \param equations  so many of the first rows are
+/// \return whether y proves it
+/// \throws std::invalid_argument if u has another size
+[[nodiscard]] bool proves_infeasible(const QuadraticProgramme& programme, const Eigen::VectorXd& y,
+                                     const Eigen::VectorXd& u, Eigen::Index equations = 0);
+
 }  // namespace signorini

@@ -1,24 +1,25 @@
 #include "addons/certified/solve_with_proofs.hpp"
 
-#include <utility>
 #include <vector>
 
 #include "addons/certified/at_rest.hpp"
 #include "addons/certified/proofs.hpp"
 #include "addons/certified/soft_pairs.hpp"
+#include "signorini/solvers/fischer_burmeister.hpp"
 #include "signorini/solvers/portfolio.hpp"
+#include "signorini/solvers/quasi_active_set.hpp"
 
 namespace signorini {
 namespace {
 
 /// A member that names others, with those of this add-on that the problem is for before them.
 Solver strengthened(const Solver& solver, const ContactProblem& problem) {
-  if (solver.others.empty()) return solver;
-  std::vector<Solver (*)()> members;
-  if (problem.resultant.size() > 0) members.push_back(at_rest);
-  if (!problem.law.pair.empty()) members.push_back(soft_pairs);
-  members.insert(members.end(), solver.others.begin(), solver.others.end());
-  return solver.before(std::move(members));
+  Solver strong = solver;
+  strong.others = asked_after(solver);
+  if (solver.others.empty()) return strong;
+  if (!problem.law.pair.empty()) strong.others.insert(strong.others.begin(), soft_pairs);
+  if (problem.resultant.size() > 0) strong.others.insert(strong.others.begin(), at_rest);
+  return strong;
 }
 
 /// Forces, movements and amplitudes of a solution, as its set has them.
@@ -47,6 +48,15 @@ void prove_uniqueness(const ContactProblem& problem, ContactState& state) {
 }
 
 }  // namespace
+
+std::vector<Solver (*)()> asked_after(const Solver& solver) {
+  std::vector<Solver (*)()> members;
+  for (Solver (*const next)() : solver.others) {
+    members.push_back(next);
+    if (next == static_cast<Solver (*)()>(quasi_active_set)) members.push_back(fischer_burmeister);
+  }
+  return members;
+}
 
 ContactState solve_with_proofs(const ContactProblem& problem, const Solver& solver,
                                const SolverOptions& options) {

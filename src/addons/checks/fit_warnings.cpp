@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "signorini/contact/target_search.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/fem/side_curve.hpp"
+#include "signorini/pairing/target_search.hpp"
 #include "signorini/scene/bodies.hpp"
 
 namespace signorini {

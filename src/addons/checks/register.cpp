@@ -2,6 +2,8 @@
 
 #include "addons/checks/contact_warnings.hpp"
 #include "addons/checks/fit_warnings.hpp"
+#include "addons/checks/shared_words.hpp"
+#include "addons/checks/sliding_verdict.hpp"
 #include "addons/checks/warnings.hpp"
 #include "signorini/scene/checks.hpp"
 
@@ -13,6 +15,8 @@ void register_checks() {
                return solution_warnings(model, solution);
              }});
   add_check({"fits", nullptr, nullptr, sag_warning, closed_gap_warnings});
+  add_check({"shared forces", nullptr, nullptr, nullptr, nullptr, note_shared_forces});
+  add_check({"sliding", nullptr, nullptr, nullptr, nullptr, judge_sliding});
 }
 
 }  // namespace signorini

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "signorini/contact/target_search.hpp"
 #include "signorini/fem/side_curve.hpp"
+#include "signorini/pairing/target_search.hpp"
 
 namespace signorini {
 

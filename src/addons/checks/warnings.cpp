@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "addons/checks/loose_nodes.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/fem/along_boundary.hpp"

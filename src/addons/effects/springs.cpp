@@ -51,4 +51,26 @@ Eigen::SparseMatrix<double> spring_stiffness(const Mesh& mesh, const Depth& dept
   return stiffness;
 }
 
+// A spring matrix \f$ k \f$ acts on all components, held ones too. Of the row of a free
+// component i, free columns go into K. A held column j with the given displacement
+// \f$ \bar u_j \f$ is known, so \f$ -k_{ij}\bar u_j \f$ goes into p. With \f$ k_{ij} = 2 \f$
+// and \f$ \bar u_j = 0.5 \f$ the load of i becomes smaller by 1. Rows of held components
+// belong to supports.
+void add_springs(const BodyModel& body, QuadraticProgramme& programme) {
+  const auto number = [&body](Index component) {
+    const Index own = body.unknowns.number(component / 2, component % 2);
+    return own < 0 ? own : body.first_unknown + own;
+  };
+  for (Index k = 0; k < body.springs.outerSize(); ++k)
+    for (Eigen::SparseMatrix<double>::InnerIterator it(body.springs, k); it; ++it) {
+      const Index row = number(it.row());
+      const Index column = number(it.col());
+      if (row < 0) continue;
+      if (column >= 0)
+        programme.stiffness.coeffRef(row, column) += it.value();
+      else
+        programme.load(row) -= it.value() * body.unknowns.held(it.col() / 2, it.col() % 2);
+    }
+}
+
 }  // namespace signorini

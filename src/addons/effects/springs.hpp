@@ -20,4 +20,9 @@ namespace signorini {
 [[nodiscard]] Eigen::SparseMatrix<double> spring_stiffness(const Mesh& mesh, const Depth& depth,
                                                            const std::vector<Spring>& springs);
 
+/// Adds the springs of a body to K, and to p what they feel of given displacements.
+/// \param body  one of them
+/// \param[in,out] programme  K and p of all bodies
+void add_springs(const BodyModel& body, QuadraticProgramme& programme);
+
 }  // namespace signorini

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "addons/estimate/outline_shape.hpp"
-#include "signorini/contact/target_search.hpp"
 #include "signorini/core/index.hpp"
+#include "signorini/pairing/target_search.hpp"
 #include "signorini/scene/bodies.hpp"
 
 namespace signorini {

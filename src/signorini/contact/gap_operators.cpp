@@ -1,34 +1,27 @@
-// # Three gap operators
+// # The family of gap operators
 //
-// A gap operator turns two boundaries into pairs, each with one gap. It decides where the contact
-// forces live, and how a force on the source reaches the nodes of the target.
-//
-// - node_to_segment: at every node of the source. Simple; a uniform pressure arrives as jumps.
-// - gauss_points: at points of every side, as in the second paper. Often more forces than can be
-//   determined.
-// - mortar: means over edges, with a weight function per node. A uniform pressure arrives uniform.
-//
-// Chapters 9 and 10 derive them, chapter 11 compares them on the cylinder of Hertz. A fourth one
-// needs a function and its name in the table.
+// A gap operator finds the pairs between two meshes. The list begins empty: a scene with rigid
+// obstacles needs none, and a program with two bodies gets those of
+// [pairing](../pairing/gap_operators.cpp) by being linked with that folder.
 
 #include "signorini/contact/gap_operators.hpp"
 
 #include "signorini/core/family.hpp"
 
 namespace signorini {
+namespace {
 
-// The table: one line per function that returns a member.
-#define SIGNORINI_GAP_OPERATORS node_to_segment(), gauss_points(), mortar()
-
-namespace gap_operator {
-GapOperator SIGNORINI_GAP_OPERATORS;  // declares them
+// Made when it is first asked for, which may be before main().
+std::vector<GapOperator>& family() {
+  static std::vector<GapOperator> members;
+  return members;
 }
 
-const std::vector<GapOperator>& gap_operators() {
-  using namespace gap_operator;
-  static const std::vector<GapOperator> family = {SIGNORINI_GAP_OPERATORS};
-  return family;
-}
+}  // namespace
+
+const std::vector<GapOperator>& gap_operators() { return family(); }
+
+void add_gap_operator(const GapOperator& member) { add_member(member, family()); }
 
 const GapOperator& find_gap_operator(const std::string& name) {
   return find_member(gap_operators(), name, "gap operator");

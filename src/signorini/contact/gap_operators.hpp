@@ -1,7 +1,7 @@
 /// \file
 /// The family of gap operators between two meshes. To add one: write a `.cpp` with a function
-/// `gap_operator::NAME` that returns it, and put NAME into the table in gap_operators.cpp; the conformance suite
-/// finds it.
+/// `gap_operator::NAME` that returns it, and put NAME into the table in pairing/gap_operators.cpp; the conformance suite
+/// finds it. A program that is linked with signorini::pairing has its members, others have none.
 ///
 /// An operator is one function. It gets two boundaries and fills Pairs; flags tell which options it
 /// reads. Whatever comes later (supports, friction, solvers, forces on nodes) reads Pairs and does
@@ -53,6 +53,9 @@ struct GapOperator {
 /// The family.
 /// \return all members, in the order of lists and tables
 [[nodiscard]] const std::vector<GapOperator>& gap_operators();
+
+/// Adds a member to the family, unless it has one of that name. \param member  of a folder or a program
+void add_gap_operator(const GapOperator& member);
 
 /// Looks up a member.
 /// \param name  of the operator

@@ -4,8 +4,7 @@
 // nowhere in the list. Two questions are answered here, both by looking at nodes that cells share.
 //
 // *Pieces.* Cells that share a node belong together, and so do their neighbours, and so on. This
-// is the problem of connected components. Each node points to another one of its piece, or to
-// itself; to join two pieces, let the root of one point to the root of the other.
+// is the problem of connected components, see [disjoint_sets.hpp](../core/disjoint_sets.hpp).
 //
 // *Outer sides.* A side inside of the body belongs to two cells, one of the outline to one.
 // Sorting all sides and looking for those that stand alone answers it. A mesh of a million cells
@@ -16,9 +15,9 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <numeric>
 #include <utility>
 
+#include "signorini/core/disjoint_sets.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/index.hpp"
 
@@ -81,54 +80,34 @@ std::vector<char> on_outline(const Mesh& mesh) {
 
 }  // namespace
 
-/// While a root is looked for, each node on the way is made to point one step further up. The ways
-/// stay short, and the whole costs hardly more than one look at each node.
+/// The smallest node of a set names it. So pieces come in the order of their first nodes, and a
+/// renumbered list of cells gives the same pieces in the same order. A node that no cell has is in none.
 std::vector<MeshPiece> pieces(const Mesh& mesh) {
-  std::vector<Index> parent(at(mesh.n_nodes()));
-  std::iota(parent.begin(), parent.end(), Index{0});
-  const auto root = [&parent](Index node) {
-    while (parent[at(node)] != node) {
-      Index& up = parent[at(node)];
-      up = parent[at(up)];
-      node = up;
-    }
-    return node;
-  };
+  DisjointSets sets(mesh.n_nodes());
   for (Index cell = 0; cell < mesh.n_cells(); ++cell)
     for (Index k = 1, n = mesh.cell_size(cell); k < n; ++k)
-      parent[at(root(mesh.cells(cell, k)))] = root(mesh.cells(cell, 0));
+      sets.join(mesh.cells(cell, 0), mesh.cells(cell, k));
+  std::vector<Index> cells(at(mesh.n_nodes()), 0);
+  for (Index cell = 0; cell < mesh.n_cells(); ++cell) ++cells[at(sets.name(mesh.cells(cell, 0)))];
   std::vector<MeshPiece> found;
-  std::vector<Index> number(parent.size(), -1);  // of the piece of a root
-  for (Index cell = 0; cell < mesh.n_cells(); ++cell) {
-    Index& piece = number[at(root(mesh.cells(cell, 0)))];
-    if (piece < 0) {
-      piece = static_cast<Index>(found.size());
-      found.emplace_back();
+  std::vector<std::size_t> place(cells.size());  // of the piece that a node names
+  for (Index node = 0; node < mesh.n_nodes(); ++node) {
+    const Index name = sets.name(node);
+    if (cells[at(name)] == 0) continue;
+    if (name == node) {
+      place[at(node)] = found.size();
+      found.push_back({{}, cells[at(node)]});
     }
-    ++found[at(piece)].cells;
+    found[place[at(name)]].nodes.push_back(node);
   }
-  // A node that no cell has is the root of itself, and that root has no piece.
-  for (Index node = 0; node < mesh.n_nodes(); ++node)
-    if (const Index piece = number[at(root(node))]; piece >= 0)
-      found[at(piece)].nodes.push_back(node);
-  // Which node became the root depends on the order of the cells. The first node of a piece does
-  // not, so that a renumbered list of cells gives the same pieces in the same order.
-  std::sort(found.begin(), found.end(), [](const MeshPiece& a, const MeshPiece& b) {
-    return a.nodes.front() < b.nodes.front();
-  });
   return found;
 }
 
 /// A piece has no name of its own. Messages say where it is, by the middle of its box, and how many
 /// cells it has.
 Eigen::Vector2d middle(const Mesh& mesh, const MeshPiece& piece) {
-  Eigen::RowVector2d low = mesh.nodes.row(piece.nodes.front());
-  Eigen::RowVector2d high = low;
-  for (const Index node : piece.nodes) {
-    low = low.cwiseMin(mesh.nodes.row(node));
-    high = high.cwiseMax(mesh.nodes.row(node));
-  }
-  return (low + high).transpose() / 2;
+  const NodeArray x = mesh.nodes(piece.nodes, Eigen::all);
+  return (x.colwise().minCoeff() + x.colwise().maxCoeff()).transpose() / 2;
 }
 
 /// Such as "8 cells around (2, 0.5)": a user finds that in a picture, and not the number of a

@@ -1,6 +1,5 @@
 /// \file
-/// How the cells of a mesh hang together: its pieces, its outer sides, and nodes that lie on these without
-/// belonging to them.
+/// How the cells of a mesh hang together: its pieces and its outer sides.
 ///
 /// The equations of a body that is cut in two are as good as those of a whole one. So a mesh that
 /// should be whole and is not can only be found by looking at its cells, before anything is solved.
@@ -41,19 +40,5 @@ struct MeshPiece {
 /// \param mesh  that passes check_mesh()
 /// \return in the order of cells and their sides
 [[nodiscard]] std::vector<CellSide> outer_sides(const Mesh& mesh);
-
-/// A node that lies on an outer side without being one of its nodes.
-struct LooseNode {
-  Eigen::Index node;   ///< its number
-  CellSide side;       ///< that it lies on
-  Eigen::Index other;  ///< node of the side in the same place; -1 if it hangs between the nodes
-};
-
-/// Finds nodes that lie on an outer side without belonging to it: nothing holds the cells together there.
-/// Near is what is nearer than a thousandth of the shortest side of the cells there, which is more than what
-/// positions lose that are written with six digits.
-/// \param mesh  that passes check_mesh()
-/// \return one entry per node at most, by number, but only one for two that lie in one place
-[[nodiscard]] std::vector<LooseNode> loose_nodes(const Mesh& mesh);
 
 }  // namespace signorini

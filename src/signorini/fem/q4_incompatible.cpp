@@ -78,53 +78,45 @@ std::array<ModeStrain<n_rows>, 4> mode_strains(const CellBody& cell, const Strai
   return modes;
 }
 
-/// Condensation, at the strain points. Since \f$\bar B\f$ is stored in the place of \f$B\f$,
-/// stiffness and stress need not know that there are modes.
-template <int n_rows>
-void add_modes(const CellBody& cell, StrainPoints& points) {
+/// Takes out of strains what the modes take over: the amplitudes \f$\alpha\f$ with
+/// \f$K_{mm}\alpha = \int M^T D\,\epsilon\f$ leave \f$\epsilon - M\alpha\f$. strain(i) is a block of
+/// columns at the strain point i.
+template <int n_rows, int n_columns, typename Strain>
+void take_out_modes(const CellBody& cell, const StrainPoints& points, Strain&& strain) {
   const auto& D = fixed_rows<n_rows>(cell.D);
   const std::array<ModeStrain<n_rows>, 4> modes = mode_strains<n_rows>(cell, points);
   Eigen::Matrix<double, 4, 4> K_modes = Eigen::Matrix<double, 4, 4>::Zero();
-  Eigen::Matrix<double, 4, 8> K_mixed = Eigen::Matrix<double, 4, 8>::Zero();
-  for (std::size_t i = 0; i < 4; ++i) {
-    const StrainPoint& point = points.point[i];
-    const Eigen::Matrix<double, 4, n_rows> stress = point.volume * modes[i].transpose() * D;
-    K_modes += stress * modes[i];
-    K_mixed += stress * fixed_rows<n_rows>(point.B);
-  }
-  // The modes carry no load, so they follow the nodes: amplitudes = -K_modes^-1 K_mixed u.
-  const Eigen::Matrix<double, 4, 8> amplitudes = -K_modes.ldlt().solve(K_mixed);
-  for (std::size_t i = 0; i < 4; ++i) points.point[i].B += modes[i] * amplitudes;
-}
-
-/// An eigenstrain \f$\epsilon_0\f$ that varies in the cell moves the modes although no node moves.
-/// They take the part \f$M\alpha\f$ of it with \f$K_{mm}\alpha = \int M^T D\,\epsilon_0\f$; what is
-/// left causes stress. For a uniform \f$\epsilon_0\f$ the right side is
-/// \f$(\int M)^T D\,\epsilon_0 = 0\f$.
-template <int n_rows>
-void relax_modes(const CellBody& cell, const StrainPoints& points, PointStrains& strains) {
-  const auto& D = fixed_rows<n_rows>(cell.D);
-  const std::array<ModeStrain<n_rows>, 4> modes = mode_strains<n_rows>(cell, points);
-  Eigen::Matrix<double, 4, 4> K_modes = Eigen::Matrix<double, 4, 4>::Zero();
-  Eigen::Vector4d load = Eigen::Vector4d::Zero();
+  Eigen::Matrix<double, 4, n_columns> load = Eigen::Matrix<double, 4, n_columns>::Zero();
   for (std::size_t i = 0; i < 4; ++i) {
     const Eigen::Matrix<double, 4, n_rows> stress =
         points.point[i].volume * modes[i].transpose() * D;
     K_modes += stress * modes[i];
-    load += stress * strains.col(static_cast<Eigen::Index>(i));
+    load += stress * strain(i);
   }
-  const Eigen::Vector4d amplitudes = K_modes.ldlt().solve(load);
-  for (std::size_t i = 0; i < 4; ++i)
-    strains.col(static_cast<Eigen::Index>(i)) -= modes[i] * amplitudes;
+  const Eigen::Matrix<double, 4, n_columns> amplitudes = K_modes.ldlt().solve(load);
+  for (std::size_t i = 0; i < 4; ++i) strain(i) -= modes[i] * amplitudes;
 }
 
+/// Condensation, at the strain points: the modes carry no load, so they follow the nodes. Since
+/// \f$\bar B\f$ is stored in the place of \f$B\f$, stiffness and stress need not know that there are modes.
 void incompatible_strain(const CellBody& cell, StrainPoints& points) {
   sample_strain(bilinear_shape, gauss_square(2), cell, points);
-  with_rows(cell.D.rows(), [&](auto n_rows) { add_modes<n_rows>(cell, points); });
+  with_rows(cell.D.rows(), [&](auto n_rows) {
+    take_out_modes<n_rows, 8>(cell, points, [&](std::size_t i) {
+      return Eigen::Map<Eigen::Matrix<double, n_rows, 8>>(points.point[i].B.data());
+    });
+  });
 }
 
+/// An eigenstrain \f$\epsilon_0\f$ that varies in the cell moves the modes although no node moves. What
+/// they leave of it causes stress. For a uniform one the right side is \f$(\int M)^T D\,\epsilon_0 = 0\f$.
 void relax(const CellBody& cell, const StrainPoints& points, PointStrains& strains) {
-  with_rows(cell.D.rows(), [&](auto n_rows) { relax_modes<n_rows>(cell, points, strains); });
+  with_rows(cell.D.rows(), [&](auto n_rows) {
+    take_out_modes<n_rows, 1>(cell, points, [&](std::size_t i) {
+      return Eigen::Map<Eigen::Matrix<double, n_rows, 1>>(
+          strains.col(static_cast<Eigen::Index>(i)).data());
+    });
+  });
 }
 
 }  // namespace

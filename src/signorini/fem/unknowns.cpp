@@ -32,15 +32,8 @@ using Eigen::Index;
 /// inclined this would couple the two components of each node, and there would be no component to
 /// leave out.
 Axis normal_axis(const Mesh& mesh, const std::string& name) {
-  const std::vector<Index> nodes = boundary_nodes(mesh, name);
-  Eigen::RowVector2d low = mesh.nodes.row(nodes.front());
-  Eigen::RowVector2d high = low;
-  for (const Index node : nodes) {
-    low = low.cwiseMin(mesh.nodes.row(node));
-    high = high.cwiseMax(mesh.nodes.row(node));
-  }
-  const Eigen::RowVector2d extent = high - low;
-  // Straight up to the rounding of positions, and not a single point.
+  const NodeArray x = mesh.nodes(boundary_nodes(mesh, name), Eigen::all);
+  const Eigen::RowVector2d extent = x.colwise().maxCoeff() - x.colwise().minCoeff();
   const double flat = 1e3 * epsilon * mesh.nodes.cwiseAbs().maxCoeff();
   require_input(extent.minCoeff() <= flat && extent.maxCoeff() > flat, "support 'symmetric' on '",
                 name, "': the boundary must be straight and parallel to an axis, but it spans ",

@@ -181,11 +181,16 @@ using Confirmed = std::optional<std::pair<ActiveSetSolution, std::vector<Contact
                                   const std::vector<Eigen::Index>& candidates,
                                   const ActiveSetSolution* start = nullptr);
 
-/// Names the direction of pairs that slide without a friction force after their slip: a method need not know it. Where
-/// there is a friction force it tells the direction, also of a slip that is nothing but rounding.
-/// \param law            of the frictional pairs
-/// \param[in,out] state  whose statuses may change from forward to backward and back
-void name_slides(const FrictionLaw& law, ContactState& state);
+/// Puts numbers into a state; its report and its amplitude stay. Pairs that slide without a friction force get the direction of
+/// their slip: a method need not know it. Where there is a friction force it tells the direction, also of a slip that is nothing
+/// but rounding.
+/// \param law       of the frictional pairs
+/// \param statuses  `n_c`
+/// \param force     of all rows
+/// \param movement  of all rows: gaps, then slips
+/// \param[in,out] state  gets forces, gaps, slips and statuses
+void fill_state(const FrictionLaw& law, const std::vector<ContactStatus>& statuses,
+                const Eigen::VectorXd& force, const Eigen::VectorXd& movement, ContactState& state);
 
 /// One entry of a history, in the units of the problem as it was posed.
 /// \param problem  scaled

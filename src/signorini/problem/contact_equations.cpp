@@ -21,7 +21,6 @@
 
 #include "signorini/problem/contact_equations.hpp"
 
-#include "signorini/core/rounding.hpp"
 #include "signorini/problem/complementarity_functions.hpp"
 
 namespace signorini {
@@ -30,28 +29,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-// P F P. Contact alone may hold a body. F then contains the springs that ground it, and these
-// springs must not decide anything. Forces in balance do not strain them, and P leaves nothing
-// else. If all bodies are rigid, nothing remains but rounding, which Newton's method would take for
-// a compliance. So it becomes 0.
-MatrixXd in_balance(const ScaledProblem& problem) {
-  const MatrixXd& U = problem.rigid;
-  const MatrixXd& F = problem.compliance;
-  if (U.cols() == 0) return F;
-  MatrixXd projected = F - U * (U.transpose() * F);
-  projected -= (projected * U).eval() * U.transpose();
-  const double rounding = static_cast<double>(F.rows() + 1) * epsilon;
-  if (force_scale(projected) <= rounding * force_scale(F))
-    projected.setZero();  // only rigid motions
-  return projected;
-}
-
-// Forces count as the gap that such forces on all pairs open. If no force strains anything, the
-// grounded body at least has the right units.
-double force_scale_of(const ScaledProblem& problem, const MatrixXd& compliance) {
-  return force_scale(compliance.isZero(0) ? problem.compliance : compliance);
-}
 
 // The nested function, for all slips. The slip enters with a minus sign, because friction resists it.
 void evaluate_nested(const ContactEquations& equations, const VectorXd& x, VectorXd& residual) {
@@ -92,9 +69,10 @@ ContactEquations::ContactEquations(const ScaledProblem& problem, const Formulati
     : problem_(problem),
       form_(form),
       in_balance_(problem.rigid.cols() > 0 && form.reading == Reading::Mended),
-      compliance_(in_balance_ ? in_balance(problem) : problem.compliance),
+      compliance_(in_balance_ ? balanced_compliance(problem) : problem.compliance),
       free_(problem.free),
-      force_scale_(form.reading == Reading::Mended ? force_scale_of(problem, compliance_) : 1),
+      force_scale_(form.reading == Reading::Mended ? signorini::force_scale(problem, compliance_)
+                                                   : 1),
       movement_(problem.free.size()),
       cohesion_(VectorXd::Zero(slips())) {
   compliance_ /= force_scale_;

@@ -23,8 +23,6 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-}  // namespace
-
 // A pair that slides without friction has no friction force that tells the direction, so its slip
 // tells it. Where there is friction the force has the last word: its slip may be rounding, with the
 // wrong sign.
@@ -37,6 +35,25 @@ void name_slides(const FrictionLaw& law, ContactState& state) {
     if (friction_sign(state.contact_status[k]) != 0 && slip != 0 && !frictional)
       state.contact_status[k] = slip > 0 ? ContactStatus::SlipForward : ContactStatus::SlipBackward;
   }
+}
+
+}  // namespace
+
+// Numbers come as one vector over all rows, gaps first. A state lists forces, friction, gaps and
+// slips apart.
+void fill_state(const FrictionLaw& law, const std::vector<ContactStatus>& statuses,
+                const VectorXd& force, const VectorXd& movement, ContactState& state) {
+  const Index slips = static_cast<Index>(law.pair.size());
+  const Index pairs = force.size() - slips;
+  state.force = force.head(pairs);
+  state.friction = force.tail(slips);
+  state.gap = movement.head(pairs);
+  state.slip = movement.tail(slips);
+  state.active = closed_pairs(statuses);
+  state.frictional_pairs = law.pair;
+  state.contact_status.clear();
+  for (const Index pair : law.pair) state.contact_status.push_back(statuses[at(pair)]);
+  name_slides(law, state);
 }
 
 // One line of the history: how many pairs are closed, and how wrong the worst open and the worst
@@ -89,24 +106,15 @@ ContactState finished(const ContactProblem& problem, const ScaledProblem& scaled
                       const ActiveSetSolution& solution, const std::vector<ContactStatus>& statuses,
                       Report report, VectorXd proof) {
   const Index pairs = scaled.pairs();
-  const Index slips = scaled.free.size() - pairs;
-  const VectorXd force = scaled.scale.cwiseProduct(solution.force);
+  VectorXd force = scaled.scale.cwiseProduct(solution.force);
   VectorXd movement = solution.movement.cwiseQuotient(scaled.scale);
-  ContactState state;
-  if (report.status == SolveStatus::Solved)
-    for (const Index row : active_set(statuses, scaled.law).closed) movement(row) = 0;
-  state.force = force.head(pairs);
-  state.gap = movement.head(pairs);
-  state.friction = force.tail(slips);
-  state.slip = movement.tail(slips);
   if (report.status == SolveStatus::Solved) {  // what is negative is of rounding size
-    state.force = state.force.cwiseMax(0.0);
-    state.gap = state.gap.cwiseMax(0.0);
+    for (const Index row : active_set(statuses, scaled.law).closed) movement(row) = 0;
+    force.head(pairs) = force.head(pairs).cwiseMax(0.0);
+    movement.head(pairs) = movement.head(pairs).cwiseMax(0.0);
   }
-  state.active = closed_pairs(statuses);
-  state.frictional_pairs = scaled.law.pair;
-  for (const Index pair : scaled.law.pair) state.contact_status.push_back(statuses[at(pair)]);
-  name_slides(scaled.law, state);
+  ContactState state;
+  fill_state(scaled.law, statuses, force, movement, state);
   if (problem.resultant.size() > 0)
     state.amplitude = solution.amplitude.size() > 0 ? VectorXd(scaled.inverse * solution.amplitude)
                                                     : VectorXd::Zero(problem.resultant.size());

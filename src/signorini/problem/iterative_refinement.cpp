@@ -93,26 +93,6 @@ struct Refinement {
   bool sweep();
 };
 
-// K u should do no work along rigid motions, but the entries of K are rounded, and somebody must carry
-// the work that it does. Pairs whose force is no larger than that hold nothing. The motions that are free
-// without them take their part out of the residual.
-VectorXd spread(const Refinement& now, const VectorXd& residual) {
-  const RefinementData& data = now.data;
-  const VectorXd inner = residual - (data.programme.load - data.programme.A.transpose() *
-                                                               (now.force.high + now.force.low));
-  const auto along = [&](const MatrixXd& motions) {
-    const MatrixXd Q = column_span(motions).basis;
-    return VectorXd(Q * (Q.transpose() * inner));
-  };
-  const double nothing = along(data.null_vectors).lpNorm<1>();
-  std::vector<Index> holding;
-  for (const Index row : now.system.rows)
-    if (std::abs(now.force.high(row)) > nothing) holding.push_back(row);
-  if (holding.empty()) return residual - along(data.null_vectors);
-  const MatrixXd loose = null_space(data.condensed.rigid(holding, Eigen::all));
-  return loose.cols() == 0 ? residual : VectorXd(residual - along(data.null_vectors * loose));
-}
-
 // u += K^-1 of forces that are out of balance. \return by how much
 VectorXd Refinement::push(const VectorXd& load) {
   VectorXd moved = data.solve_stiffness(load);
@@ -167,7 +147,7 @@ bool Refinement::sweep() {
   ++sweeps;
   u.force = force.high;
   VectorXd r = equilibrium_residual(data.programme, u) - data.programme.A.transpose() * force.low;
-  if (data.imbalance == Imbalance::Spread && modes.cols() > 0) r = spread(*this, r);
+  if (data.spread) r = data.spread(r, force.high + force.low, system.rows);
   VectorXd moved = push(r);
   const VectorXd scale = data.scaled.scale(system.rows);
   const VectorXd h = gaps(data.programme, u)(system.rows);

@@ -18,15 +18,6 @@ namespace signorini {
 void add_rigid(PrimalDual& solution, const Eigen::MatrixXd& null_vectors,
                const Eigen::VectorXd& amplitude);
 
-/// K u should do no work along rigid motions, but the entries of K are rounded: who carries the work
-/// that it does.
-enum class Imbalance {
-  /// The contact forces; where there are none, the unknowns that ground the bodies in K^-1.
-  Carried,
-  /// All unknowns that move, along the motions that no contact force larger than it holds.
-  Spread
-};
-
 /// What iterative_refinement() and check_signs() take their equations from.
 struct RefinementData {
   /// K, p, A, g as posed; with friction the last rows of A are -T
@@ -35,9 +26,13 @@ struct RefinementData {
   const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& solve_stiffness;
   /// Only compliance and rigid, which may be inaccurate, and law count
   const ContactProblem& condensed;
-  const ScaledProblem& scaled;               ///< `condensed`, equilibrated
-  const Eigen::MatrixXd& null_vectors;       ///< N, or nothing if K is regular
-  Imbalance imbalance = Imbalance::Carried;  ///< of the solutions that iterative_refinement() finds
+  const ScaledProblem& scaled;          ///< `condensed`, equilibrated
+  const Eigen::MatrixXd& null_vectors;  ///< N, or nothing if K is regular
+  /// What is left of a residual [force] where forces of all rows [force] close some of them; empty: all of it. K u should do no
+  /// work along rigid motions, but the entries of K are rounded: what u is made to bear of that work, contact forces need not.
+  std::function<Eigen::VectorXd(const Eigen::VectorXd& residual, const Eigen::VectorXd& force,
+                                const std::vector<Eigen::Index>& rows)>
+      spread = {};
 };
 
 /// What iterative_refinement() did.

@@ -14,47 +14,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace signorini {
 
-// The switches have no default, so that a compiler warns of a status that is forgotten.
+// In the order of the statuses.
 const char* to_string(ContactStatus contact_status) {
-  switch (contact_status) {
-    case ContactStatus::Open:
-      return "open";
-    case ContactStatus::Stick:
-      return "stick";
-    case ContactStatus::SlipForward:
-      return "forward";
-    case ContactStatus::SlipBackward:
-      return "backward";
-  }
-  return "unknown";
+  constexpr const char* words[] = {"open", "stick", "forward", "backward"};
+  static_assert(std::size(words) == static_cast<std::size_t>(ContactStatus::SlipBackward) + 1);
+  return words[static_cast<std::size_t>(contact_status)];
 }
 
 // Messages and tables print these words. Only the first one may be called a solution.
 const char* to_string(SolveStatus status) {
-  switch (status) {
-    case SolveStatus::Solved:
-      return "solved";
-    case SolveStatus::Feasible:
-      return "feasible, not optimal";
-    case SolveStatus::Infeasible:
-      return "infeasible";
-    case SolveStatus::Ray:
-      return "ray";
-    case SolveStatus::Jump:
-      return "jump";
-    case SolveStatus::IterationLimit:
-      return "iteration limit";
-    case SolveStatus::Breakdown:
-      return "breakdown";
-    case SolveStatus::SlidTooFar:
-      return "slid too far";
-    case SolveStatus::TurnedTooFar:
-      return "turned too far";
-  }
-  return "unknown";
+  constexpr const char* words[] = {"solved", "feasible, not optimal", "infeasible",
+                                   "ray",    "iteration limit",       "breakdown",
+                                   "jump",   "slid too far",          "turned too far"};
+  static_assert(std::size(words) == static_cast<std::size_t>(SolveStatus::TurnedTooFar) + 1);
+  return words[static_cast<std::size_t>(status)];
 }
 
 namespace {

@@ -142,4 +142,26 @@ double force_scale(const ScaledProblem& problem) {
   return sum > 0 ? sum : 1;
 }
 
+// P F P. Contact alone may hold a body. F then contains the springs that ground it, and these
+// springs must not decide anything. Forces in balance do not strain them, and P leaves nothing
+// else. If all bodies are rigid, nothing remains but rounding, which Newton's method would take for
+// a compliance. So it becomes 0.
+MatrixXd balanced_compliance(const ScaledProblem& problem) {
+  const MatrixXd& U = problem.rigid;
+  const MatrixXd& F = problem.compliance;
+  if (U.cols() == 0) return F;
+  MatrixXd projected = F - U * (U.transpose() * F);
+  projected -= (projected * U).eval() * U.transpose();
+  const double rounding = static_cast<double>(F.rows() + 1) * epsilon;
+  if (force_scale(projected) <= rounding * force_scale(F))
+    projected.setZero();  // only rigid motions
+  return projected;
+}
+
+// Forces count as the gap that such forces on all pairs open. If no force strains anything, the
+// grounded body at least has the right units.
+double force_scale(const ScaledProblem& problem, const MatrixXd& compliance) {
+  return force_scale(compliance.isZero(0) ? problem.compliance : compliance);
+}
+
 }  // namespace signorini

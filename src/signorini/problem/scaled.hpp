@@ -61,4 +61,15 @@ struct ScaledProblem {
 /// \return the same, by the entries that are not 0 where there are few
 [[nodiscard]] double force_scale(const ScaledProblem& problem);
 
+/// What forces in balance move, \f$ PFP \f$ with \f$ P = I - UU^T \f$: the springs that ground a body in F are not in it.
+/// \param problem  scaled
+/// \return the matrix; F without rigid modes, 0 where nothing but rounding is left
+[[nodiscard]] Eigen::MatrixXd balanced_compliance(const ScaledProblem& problem);
+
+/// force_scale() of a matrix, or of F where that matrix is 0.
+/// \param problem     scaled
+/// \param compliance  as F, or balanced_compliance()
+/// \return the sum
+[[nodiscard]] double force_scale(const ScaledProblem& problem, const Eigen::MatrixXd& compliance);
+
 }  // namespace signorini

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "signorini/core/disjoint_sets.hpp"
 #include "signorini/core/index.hpp"
 
 namespace signorini {
@@ -22,35 +23,6 @@ namespace {
 
 using Eigen::Index;
 using RowMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-
-// Disjoint sets with *union-find*: every unknown points to a smaller one of its set or to itself,
-// and the one that points to itself names the set. Where two sets join, the larger name then points
-// to the smaller one. name() also shortens the way for the next question (path halving), so that a
-// question takes hardly more than one step.
-class Joined {
- public:
-  explicit Joined(Index count) : above_(at(count)), left_(count) {
-    std::iota(above_.begin(), above_.end(), Index{0});
-  }
-  // Every unknown on the way gets a new pointer, to where its old one points next.
-  [[nodiscard]] Index name(Index i) {
-    while (above_[at(i)] != i) i = above_[at(i)] = above_[at(above_[at(i)])];
-    return i;
-  }
-  void join(Index i, Index j) {
-    i = name(i);
-    j = name(j);
-    if (i == j) return;
-    above_[at(std::max(i, j))] = std::min(i, j);
-    --left_;
-  }
-  /// \return the number of sets
-  [[nodiscard]] Index count() const { return left_; }
-
- private:
-  std::vector<Index> above_;
-  Index left_;
-};
 
 // A system lists its unknowns in increasing order. Their number in the system is found by
 // bisection. A table would be as long as the whole, and each of many small systems would need one.
@@ -79,7 +51,7 @@ Index first_unknown(const RowMatrix& A, Index row) {
 // What such an entry adds to the energy of two unknowns is no more than the rounding of what they
 // have themselves.
 void join_columns(const Eigen::SparseMatrix<double>& K, const Eigen::VectorXd& root, double weak,
-                  bool all, Joined& sets) {
+                  bool all, DisjointSets& sets) {
   for (Index j = 0; j < K.cols() && sets.count() > 1; ++j)
     for (Eigen::SparseMatrix<double>::InnerIterator it(K, j); it && it.row() < j; ++it) {
       if (std::abs(it.value()) <= weak * root(it.row()) * root(j)) continue;
@@ -91,14 +63,14 @@ void join_columns(const Eigen::SparseMatrix<double>& K, const Eigen::VectorXd& r
 // The cheap questions come first. Most problems are one system, and then the first one or two loops
 // settle it. Of the six unknowns of the example, each of the three bodies needs one step of the
 // first loop. The gap then joins {1, 2} with {3, 4}, and 6 sets have become 2.
-Joined joined(const QuadraticProgramme& programme, const FrictionLaw& law,
-              const Eigen::MatrixXd& null_vectors, double weak) {
+DisjointSets joined(const QuadraticProgramme& programme, const FrictionLaw& law,
+                    const Eigen::MatrixXd& null_vectors, double weak) {
   const Index n = programme.load.size();
   const Eigen::VectorXd root =
       Eigen::VectorXd(programme.stiffness.diagonal()).cwiseMax(0).cwiseSqrt();
   const RowMatrix& A = programme.A;
   const Index pairs = A.rows() - static_cast<Index>(law.pair.size());
-  Joined sets(n);
+  DisjointSets sets(n);
   join_columns(programme.stiffness, root, weak, false, sets);  // on most meshes that is enough
   for (Index row = 0; row < A.rows() && sets.count() > 1; ++row) {
     const Index first = first_unknown(A, row);
@@ -134,7 +106,7 @@ Joined joined(const QuadraticProgramme& programme, const FrictionLaw& law,
 std::vector<SystemParts> unconnected_systems(const QuadraticProgramme& programme,
                                              const FrictionLaw& law,
                                              const Eigen::MatrixXd& null_vectors, double weak) {
-  Joined sets = joined(programme, law, null_vectors, weak);
+  DisjointSets sets = joined(programme, law, null_vectors, weak);
   if (sets.count() < 2) return {};
   const Index n = programme.load.size();
   const Index pairs = programme.A.rows() - static_cast<Index>(law.pair.size());

@@ -16,20 +16,6 @@ namespace signorini {
 /// \param[in,out] load  p `n` of all bodies [force]
 void add_nodal_forces(const BodyModel& body, const NodeArray& forces, Eigen::VectorXd& load);
 
-/// Adds the springs of a body to K, and to p what they feel of given displacements.
-/// \param body  one of them
-/// \param[in,out] programme  K and p of all bodies
-void add_springs(const BodyModel& body, QuadraticProgramme& programme);
-
-/// The share of K that one of several processes assembles: of every body as many cells as each of the others, and of the
-/// first process the springs too. The shares add up to the K of build(), whatever the scene calls for.
-/// \param bodies  with their unknowns and springs
-/// \param part    number of the share, from 0
-/// \param parts   how many shares there are
-/// \return `n x n` compressed, both triangles [force/length]
-[[nodiscard]] Eigen::SparseMatrix<double> stiffness_share(const std::vector<BodyModel>& bodies,
-                                                          int part, int parts);
-
 /// Which body a side belongs to.
 /// \param bodies  one or several
 /// \param side    that names it, or leaves the name out if there is one only

@@ -59,6 +59,9 @@ void check_effects(const Scene& scene) {
   for (const ContactSpec& contact : scene.contacts) {
     check(contact.adjust.has_value(), "adjusted gaps", own);
     check(contact.interference.has_value(), "interference", own);
+    require_input(std::holds_alternative<Obstacle>(contact.target) || !gap_operators().empty(),
+                  "the scene has contact between two meshes, for which this program has no gap "
+                  "operator: link it with signorini::pairing");
   }
 }
 

@@ -24,4 +24,11 @@ const std::vector<Check>& checks() { return all_checks(); }
 
 void add_check(const Check& member) { add_member(member, all_checks()); }
 
+// Notes come first: those of a solution that is withdrawn say what it would have been.
+void judge_solution(const Model& model, const Condensed& condensed, Solution& solution) {
+  ask_checks(solution.notes, &Check::solution, model, solution);
+  for (const Check& check : checks())
+    if (check.judge != nullptr) check.judge(model, condensed, solution);
+}
+
 }  // namespace signorini

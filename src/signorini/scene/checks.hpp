@@ -12,7 +12,7 @@
 
 namespace signorini {
 
-/// One member of the family. Each of its functions returns notes, none if all is well, and may be null.
+/// One member of the family. Each of its functions may be null; those that return notes return none if all is well.
 struct Check {
   using Notes = std::vector<std::string>;  ///< one sentence or more each
   const char* name;                        ///< of the member
@@ -26,6 +26,8 @@ struct Check {
                    const Pairs& pairs) = nullptr;
   /// Asked by solve() of a solution that is Solved.
   Notes (*solution)(const Model& model, const Solution& solution) = nullptr;
+  /// Asked by solve() behind all others: may add to a solution that is Solved, or withdraw it.
+  void (*judge)(const Model& model, const Condensed& condensed, Solution& solution) = nullptr;
 };
 
 /// \return all members, in the order in which they are asked
@@ -45,5 +47,11 @@ void ask_checks(std::vector<std::string>& notes,
     if (check.*function != nullptr)
       for (std::string& note : (check.*function)(subjects...)) notes.push_back(std::move(note));
 }
+
+/// Asks every member for its notes on a solution, then those that judge it.
+/// \param model      that was solved
+/// \param condensed  from condense() of it
+/// \param[in,out] solution  Solved
+void judge_solution(const Model& model, const Condensed& condensed, Solution& solution);
 
 }  // namespace signorini

@@ -34,11 +34,12 @@ using Eigen::Index;
 // A scene may choose a number of Gauss points for an operator that has none. That is
 // harmless, and mostly a sign that the user expects something else. So it is noted. The
 // operator is looked up, needed or not, so that a wrong name is an error beside a rigid
-// obstacle, too.
+// obstacle, too, in all programs that have operators.
 void check_choices(const ContactSpec& contact, Plan& draft) {
   const ContactSpec usual;
-  const GapOperator& gap_operator = find_gap_operator(contact.gap_operator);
   const bool rigid = std::holds_alternative<Obstacle>(contact.target);
+  GapOperator gap_operator = {};
+  if (!rigid || !gap_operators().empty()) gap_operator = find_gap_operator(contact.gap_operator);
   std::string idle = rigid && contact.gap_operator != usual.gap_operator ? ", gap_operator" : "";
   if (contact.points != usual.points && (rigid || !gap_operator.takes_points)) idle += ", points";
   if (contact.quadrature != usual.quadrature && (rigid || !gap_operator.takes_quadrature))

@@ -166,11 +166,11 @@ void check_numbers(const ContactProblem& problem) {
 
 // From unknowns to what is looked at: pressures, displacements of nodes, the balance of what
 // is told. Checks look at solutions only: notes on the strains of an unsolved problem would
-// mislead. Unsolved numbers are still recovered, because a figure of them may show what went
+// mislead. They may withdraw one, as where pairs have slid off the sides that they faced. Unsolved numbers are still recovered, because a figure of them may show what went
 // wrong. If nothing could be refined there are no displacements, and only the report is returned.
 // A scene whose nodes are all held has no displacements either, but it is solved.
-Solution recovered(const Model& model, RefinedEnd end, std::vector<std::string> notes,
-                   Ledger ledger, const std::function<void(Solution&)>& after) {
+Solution recovered(const Model& model, const Condensed& condensed, RefinedEnd end,
+                   std::vector<std::string> notes, Ledger ledger) {
   Solution solution;
   solution.notes = std::move(notes);
   solution.contact = std::move(end.state);
@@ -182,8 +182,7 @@ Solution recovered(const Model& model, RefinedEnd end, std::vector<std::string> 
     solution.certificate.balance = imbalance(model, solution.contact, end.solution.force);
     solution.displacements = displacements_of_bodies(model, end.solution.displacement);
     solution.refined = std::move(end.solution);
-    if (solved) ask_checks(solution.notes, &Check::solution, model, solution);
-    if (solved && after) after(solution);
+    if (solved) judge_solution(model, condensed, solution);
   }
   solution.ledger = std::move(ledger);
   return solution;
@@ -196,7 +195,7 @@ Solution solve_plainly(const Model& model, const Condensed& condensed, const Sol
     return refined_solve(model.programme, condensed_programme(condensed, ledger),
                          mode_shapes(model.modes), solver, options, ledger);
   });
-  return recovered(model, std::move(end), model.notes, std::move(ledger));
+  return recovered(model, condensed, std::move(end), model.notes, std::move(ledger));
 }
 // Every solve() below asks the slot, so that a program that has set another way cannot get
 // the old one by mistake.

@@ -1,7 +1,6 @@
 /// \file
 /// How a condensed model is solved: the way of the library, and the place where an add-on puts its own.
 #pragma once
-#include <functional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -57,13 +56,13 @@ auto in_these_units(const ContactProblem& problem, Method&& method) {
 }
 
 /// Makes of an end what readers want: pressures, displacements of the bodies, the balance of the certificate, and notes.
-/// \param model   that was solved
-/// \param end     of it; without displacements only its state is taken over
-/// \param notes   that are known so far
-/// \param ledger  goes on in the solution, with the phase `recovery`
-/// \param after   what else is asked of a solution in this phase, or nothing
+/// \param model      that was solved
+/// \param condensed  from condense() of it
+/// \param end        of it; without displacements only its state is taken over
+/// \param notes      that are known so far
+/// \param ledger     goes on in the solution, with the phase `recovery`, in which checks are asked
 /// \return the solution
-[[nodiscard]] Solution recovered(const Model& model, RefinedEnd end, std::vector<std::string> notes,
-                                 Ledger ledger, const std::function<void(Solution&)>& after = {});
+[[nodiscard]] Solution recovered(const Model& model, const Condensed& condensed, RefinedEnd end,
+                                 std::vector<std::string> notes, Ledger ledger);
 
 }  // namespace signorini

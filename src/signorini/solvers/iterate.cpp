@@ -13,7 +13,6 @@
 #include <utility>
 
 #include "signorini/core/rounding.hpp"
-#include "signorini/problem/contact_equations.hpp"
 #include "signorini/solvers/goldfarb_idnani.hpp"
 
 namespace signorini {
@@ -59,7 +58,7 @@ Iterate first_iterate(const ScaledProblem& problem) {
   now.amplitude.setZero(U.cols());
   double unit = force_scale(problem);
   if (U.cols() > 0) {
-    unit = ContactEquations(problem, nested_friction).force_scale();
+    unit = force_scale(problem, balanced_compliance(problem));
     now.force = U * problem.resultant;
     now.amplitude = -U.transpose() * (problem.free + problem.compliance * now.force);
   } else if (!problem.law.pair.empty() && problem.symmetric && problem.sparse.size() == 0) {

@@ -25,7 +25,6 @@
 
 #include <utility>
 
-#include "signorini/core/index.hpp"
 #include "signorini/solvers/portfolio.hpp"
 
 namespace signorini {
@@ -96,7 +95,7 @@ RefinedEnd claimed(const RefinementData& data, const CondensedProgramme& condens
   RefinedEnd end;
   {
     const Ledger::Phase phase(ledger, "contact");
-    end.state = solve(condensed.problem, member.before({}), options);
+    end.state = solve(condensed.problem, Solver(member).before({}), options);
     ledger.count("iterations", end.state.report.iterations);
     ledger.count("factorisations", end.state.report.factorisations);
   }
@@ -117,23 +116,6 @@ RefinedEnd claimed(const RefinementData& data, const CondensedProgramme& condens
 }
 
 }  // namespace
-
-// Refined numbers come as one vector over all rows of A, gaps first. A state lists forces,
-// friction, gaps and slips apart.
-void fill_state(const FrictionLaw& law, const std::vector<ContactStatus>& statuses,
-                const VectorXd& force, const VectorXd& movement, ContactState& state) {
-  const Index slips = static_cast<Index>(law.pair.size());
-  const Index pairs = force.size() - slips;
-  state.force = force.head(pairs);
-  state.friction = force.tail(slips);
-  state.gap = movement.head(pairs);
-  state.slip = movement.tail(slips);
-  state.active = closed_pairs(statuses);
-  state.frictional_pairs = law.pair;
-  state.contact_status.clear();
-  for (const Index pair : law.pair) state.contact_status.push_back(statuses[at(pair)]);
-  name_slides(law, state);
-}
 
 // Refined forces of pairs that hardly press may be negative by rounding. A reader who sees -1e-17
 // asks why contact pulls. Such forces become zero if the certificate still holds.

@@ -52,15 +52,6 @@ struct RefinedEnd {
                                        const Eigen::MatrixXd& null_vectors, const Solver& solver,
                                        const SolverOptions& options, Ledger& ledger);
 
-/// The state that refined numbers make, with the report and the amplitude of a claim.
-/// \param law       of the frictional pairs
-/// \param statuses  `n_c`
-/// \param force     of all rows of A
-/// \param movement  of all rows of A: gaps, then slips
-/// \param[in,out] state  gets forces, gaps, slips and statuses
-void fill_state(const FrictionLaw& law, const std::vector<ContactStatus>& statuses,
-                const Eigen::VectorXd& force, const Eigen::VectorXd& movement, ContactState& state);
-
 /// Sets contact forces that are negative to 0, which are of rounding size, where the certificate still holds then.
 /// \param programme  as posed
 /// \param law        of the frictional pairs

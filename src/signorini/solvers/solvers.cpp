@@ -21,7 +21,7 @@
 #include "signorini/solvers/solvers.hpp"
 
 #include <algorithm>
-#include <utility>
+#include <iterator>
 
 #include "signorini/core/errors.hpp"
 
@@ -29,27 +29,11 @@ namespace signorini {
 
 // Traits are printed where a test says on which kind of problem a member failed.
 const char* to_string(Trait trait) {
-  switch (trait) {
-    case Trait::Ordinary:
-      return "ordinary";
-    case Trait::Asymmetric:
-      return "asymmetric";
-    case Trait::Dependent:
-      return "dependent";
-    case Trait::Infeasible:
-      return "infeasible";
-    case Trait::Degenerate:
-      return "degenerate";
-    case Trait::IllConditioned:
-      return "ill-conditioned";
-    case Trait::Slow:
-      return "slow";
-    case Trait::Several:
-      return "several pairs";
-    case Trait::Friction:
-      return "friction";
-  }
-  return "unknown";
+  constexpr const char* words[] = {"ordinary",   "asymmetric",    "dependent",
+                                   "infeasible", "degenerate",    "ill-conditioned",
+                                   "slow",       "several pairs", "friction"};
+  static_assert(std::size(words) == static_cast<std::size_t>(Trait::Friction) + 1);
+  return words[static_cast<std::size_t>(trait)];
 }
 
 // Lists of traits have a few entries, so a search from the front is fast enough.
@@ -71,44 +55,6 @@ bool takes(const Solver& solver, const ContactProblem& problem) {
   return too_many(solver, problem.free_gap.size()).empty() &&
          solver.friction != (frictional ? Takes::No : Takes::Only) &&
          (frictional || !may_fail(solver, Trait::Asymmetric) || is_symmetric(problem));
-}
-
-// The functions below return a changed copy. A member is then one expression, and no half-finished
-// member exists.
-Solver Solver::up_to(Eigen::Index pairs) const {
-  Solver member = *this;
-  member.largest = pairs;
-  return member;
-}
-
-Solver Solver::may_fail_on(std::vector<Trait> traits) const {
-  Solver member = *this;
-  member.may_fail = std::move(traits);
-  return member;
-}
-
-Solver Solver::with_friction(Takes takes) const {
-  Solver member = *this;
-  member.friction = takes;
-  return member;
-}
-
-Solver Solver::with_rigid_modes() const {
-  Solver member = *this;
-  member.rigid_modes = true;
-  return member;
-}
-
-Solver Solver::before(std::vector<Solver (*)()> members) const {
-  Solver member = *this;
-  member.others = std::move(members);
-  return member;
-}
-
-Solver Solver::on_programmes(decltype(solve_programme) function) const {
-  Solver member = *this;
-  member.solve_programme = function;
-  return member;
 }
 
 }  // namespace signorini

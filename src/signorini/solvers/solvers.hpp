@@ -4,13 +4,12 @@
 /// A member that is the default of something, or that another one asks, is returned by a function of its name.
 #pragma once
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "signorini/problem/problem.hpp"
 
 namespace signorini {
-
-struct DenseSolution;
 
 /// What can be hard about a problem.
 enum class Trait {
@@ -51,25 +50,35 @@ struct Solver {
   Takes friction = Takes::No;  ///< whether it takes slips
   /// Whether it takes rigid modes itself, or needs the springs of solve()
   bool rigid_modes = false;
-  /// The same from K, p, A and g to the refined end, or null: then the programme is condensed.
-  DenseSolution (*solve_programme)(const DenseProgramme& programme,
-                                   const SolverOptions& options) = nullptr;
   /// Return the members that certified_solve() asks one by one where this one breaks down: rounding that leads one
   /// method astray mostly does not meet the other
   std::vector<Solver (*)()> others = {};
 
   /// \param pairs  most that it accepts \return the member with it
-  [[nodiscard]] Solver up_to(Eigen::Index pairs) const;
+  Solver& up_to(Eigen::Index pairs) {
+    largest = pairs;
+    return *this;
+  }
   /// \param traits  on which it may fail \return the member with them
-  [[nodiscard]] Solver may_fail_on(std::vector<Trait> traits) const;
+  Solver& may_fail_on(std::vector<Trait> traits) {
+    may_fail = std::move(traits);
+    return *this;
+  }
   /// \param takes  whether it takes slips \return the member with it
-  [[nodiscard]] Solver with_friction(Takes takes) const;
+  Solver& with_friction(Takes takes) {
+    friction = takes;
+    return *this;
+  }
   /// \return the member, taking rigid modes
-  [[nodiscard]] Solver with_rigid_modes() const;
+  Solver& with_rigid_modes() {
+    rigid_modes = true;
+    return *this;
+  }
   /// \param members  functions that return those to ask after it \return the member with them
-  [[nodiscard]] Solver before(std::vector<Solver (*)()> members) const;
-  /// \param function  for `solve_programme` \return the member with it
-  [[nodiscard]] Solver on_programmes(decltype(solve_programme) function) const;
+  Solver& before(std::vector<Solver (*)()> members) {
+    others = std::move(members);
+    return *this;
+  }
 };
 
 /// Whether a member says that it may fail on a trait.

@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "addons/certified/dense_programme.hpp"
 #include "addons/certified/solve_with_proofs.hpp"
+#include "addons/programme/dense_programme.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/solvers/portfolio.hpp"
 #include "support/classes/checks.hpp"

@@ -1,7 +1,7 @@
 // What every solver should find easy.
 #include <algorithm>
 
-#include "addons/certified/dense_programme.hpp"
+#include "addons/programme/dense_programme.hpp"
 #include "signorini/core/errors.hpp"
 #include "support/classes/classes.hpp"
 #include "support/problems.hpp"

@@ -1,6 +1,6 @@
 #include <stdexcept>
 
-#include "addons/certified/dense_programme.hpp"
+#include "addons/programme/dense_programme.hpp"
 #include "catch_compat.hpp"
 #include "exercise.hpp"
 #include "signorini/core/random.hpp"

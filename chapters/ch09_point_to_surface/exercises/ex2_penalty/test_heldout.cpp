@@ -1,7 +1,7 @@
 #include <cmath>
 #include <vector>
 
-#include "addons/certified/dense_programme.hpp"
+#include "addons/programme/dense_programme.hpp"
 #include "catch_compat.hpp"
 #include "exercise.hpp"
 #include "papers/examples.hpp"

@@ -3,10 +3,10 @@
 
 #include "catch_compat.hpp"
 #include "exercise.hpp"
-#include "signorini/contact/mortar.hpp"
 #include "signorini/core/random.hpp"
 #include "signorini/fem/block.hpp"
 #include "signorini/fem/reshape.hpp"
+#include "signorini/pairing/mortar.hpp"
 #include "support/equal_within.hpp"
 
 using Eigen::Index;

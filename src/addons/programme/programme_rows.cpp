@@ -1,0 +1,155 @@
+#include "addons/programme/programme_rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "addons/programme/dense_programme.hpp"
+#include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
+#include "signorini/core/triangular.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+/// How far a row of this weight can move when the unknowns move so far; a row without entries cannot.
+double reach(double stretch, double weight) { return weight > 0 ? stretch / weight : 0; }
+
+/// What each equation adds to K: along its own row as much as the unknowns of the row resist together, so that it swamps none of
+/// them; where K has nothing for them, as much as it has in the mean, or 1.
+VectorXd equation_stiffness(const DenseProgramme& programme) {
+  const double trace = programme.stiffness.trace();
+  const double mean = trace > 0 ? trace / static_cast<double>(programme.load.size()) : 1;
+  VectorXd rho(programme.equations);
+  for (Index i = 0; i < rho.size(); ++i) {
+    double compliance = 0;
+    for (Index j = 0; j < programme.load.size(); ++j) {
+      const double a = programme.A(i, j);
+      if (a != 0 && programme.stiffness(j, j) > 0) compliance += a * a / programme.stiffness(j, j);
+    }
+    const double square = programme.A.row(i).squaredNorm();
+    rho(i) = compliance > 0 ? 1 / compliance : square > 0 ? mean / square : 0;
+  }
+  return rho;
+}
+
+CholeskyFactor factored(const DenseProgramme& programme, const VectorXd& rho) {
+  CholeskyFactor factor;
+  if (programme.equations == 0) {
+    factor = CholeskyFactor(programme.stiffness);
+  } else {
+    const auto E = programme.A.topRows(programme.equations);
+    factor = CholeskyFactor(programme.stiffness + E.transpose() * rho.asDiagonal() * E);
+  }
+  const auto pivots = factor.lower().diagonal();
+  bool positive = factor.positive();
+  for (Index i = 0; positive && i < pivots.size(); ++i)
+    positive = pivots(i) * pivots(i) >
+               static_cast<double>(pivots.size() + 1) * epsilon * programme.stiffness(i, i);
+  if (!positive)
+    throw NotDefinite(
+        "quadratic programme: K is not positive definite to rounding, so the least energy may have "
+        "no limit or many places; hold the free directions with equations");
+  return factor;
+}
+
+}  // namespace
+
+void check_sizes(const DenseProgramme& programme) {
+  const Index n = programme.load.size();
+  const Index m = programme.initial_gap.size();
+  require_argument(programme.stiffness.rows() == n && programme.stiffness.cols() == n &&
+                       programme.A.rows() == m && programme.A.cols() == n,
+                   "quadratic programme: K must be ", n, " x ", n, " and A ", m, " x ", n, ", got ",
+                   programme.stiffness.rows(), " x ", programme.stiffness.cols(), " and ",
+                   programme.A.rows(), " x ", programme.A.cols());
+  require_argument(programme.equations >= 0 && programme.equations <= m,
+                   "quadratic programme: equations must be 0 to ", m, ", got ",
+                   programme.equations);
+  // A sum is finite only if every term is.
+  require_argument(
+      std::isfinite(programme.stiffness.sum() * 0) && std::isfinite(programme.A.sum() * 0) &&
+          std::isfinite(programme.load.sum() * 0) && std::isfinite(programme.initial_gap.sum() * 0),
+      "quadratic programme: K, p, A and g, and their sums, must be finite");
+}
+
+ProgrammeRows::ProgrammeRows(const DenseProgramme& programme) : programme_(programme) {
+  check_sizes(programme);
+  rho_ = equation_stiffness(programme);
+  factor_ = factored(programme, rho_);
+  const Index n = programme.load.size();
+  displacement_ = programme.load;
+  if (equations() > 0) {
+    const auto E = programme.A.topRows(equations());
+    displacement_ += E.transpose() * rho_.cwiseProduct(programme.initial_gap.head(equations()));
+  }
+  solve_lower(factor_.lower(), displacement_);
+  solve_lower_transposed(factor_.lower(), displacement_);
+  gap_ = programme.initial_gap;
+  gap_.noalias() -= programme.A * displacement_;
+  norm_.setZero(count());
+  // |D^-1/2 a_i| with D = diag K estimates |h_i|, and bounds the terms of a_i u by |D^1/2 u|.
+  floor_.setZero(count());
+  root_.resize(n);
+  for (Index j = 0; j < n; ++j) {
+    const double pivot = factor_.lower()(j, j);
+    const double stiffness = std::max(programme.stiffness(j, j), pivot * pivot);
+    root_(j) = std::sqrt(stiffness);
+    floor_ += (1 / stiffness) * programme.A.col(j).cwiseAbs2();
+  }
+  stretch_ = displacement_.cwiseProduct(root_).norm();
+  weight_.resize(count());
+  const double rounding = static_cast<double>(n + 4) * epsilon;
+  for (Index i = 0; i < count(); ++i) {
+    const double size = std::sqrt(floor_(i));
+    weight_(i) = size > 0 ? 1 / size : 0;
+    floor_(i) = rounding * (std::abs(programme.initial_gap(i)) + stretch_ * size);
+  }
+}
+
+ActiveSetFactor ProgrammeRows::empty_basis() const {
+  return {unknowns(), std::min(unknowns(), count())};
+}
+
+void ProgrammeRows::gaps(const ActiveSetFactor& basis, VectorXd& gap, VectorXd& rounding) {
+  gap = gap_;
+  rounding = floor_;
+  moved_.noalias() = basis.directions() * basis.coordinates();
+  if (base_.size() > 0) moved_ -= base_;
+  const double size = moved_.norm() * static_cast<double>(moved_.size() + 4) * epsilon;
+  if (size == 0) return;
+  solve_lower_transposed(factor_.lower(), moved_);
+  gap.noalias() += programme_.A * moved_;
+  for (Index i = 0; i < gap.size(); ++i) rounding(i) += reach(size, weight_(i));
+}
+
+void ProgrammeRows::fetch(const VectorXd& gap, const VectorXd& rounding,
+                          ActiveSetFactor::Candidates& candidates) {
+  const Index count = static_cast<Index>(candidates.rows.size());
+  if (count == 0) return;
+  if (candidates.columns.cols() < count) candidates.columns.resize(unknowns(), count);
+  for (Index i = 0; i < count; ++i)
+    candidates.columns.col(i) =
+        programme_.A.row(candidates.rows[static_cast<std::size_t>(i)]).transpose();
+  if (unknowns() < 32) {  // the general routine packs blocks, which pays for longer columns
+    for (Index i = 0; i < count; ++i) solve_lower(factor_.lower(), candidates.columns.col(i));
+  } else {
+    solve_lower_columns(factor_.lower(), candidates.columns.leftCols(count));
+  }
+  if (candidates.gap.size() < count) {
+    candidates.gap.resize(count);
+    candidates.rounding.resize(count);
+  }
+  for (Index i = 0; i < count; ++i) {
+    const Index row = candidates.rows[static_cast<std::size_t>(i)];
+    const double norm = candidates.columns.col(i).norm();
+    norm_(row) = norm > 0 ? norm : 1;
+    candidates.columns.col(i) /= norm_(row);
+    candidates.gap(i) = gap(row) / norm_(row);
+    candidates.rounding(i) = rounding(row) / norm_(row);
+  }
+}
+
+}  // namespace signorini
