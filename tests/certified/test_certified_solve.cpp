@@ -157,7 +157,7 @@ TEST_CASE("where a claim that is not solved has moved the body is not believed",
     Ledger ledger;
     const CertifiedSolution end =
         certified_solve(programme, {problem, load, [](const VectorXd& force) { return force; }},
-                        modes, solver.with_friction(Takes::Also), {}, ledger);
+                        modes, Solver(solver).with_friction(Takes::Also), {}, ledger);
     CHECK(end.state.report.status == SolveStatus::Solved);
     CHECK(end.state.force(0) == 1);
     CHECK(end.state.slip(0) == end.solution.displacement(0));

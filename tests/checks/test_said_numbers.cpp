@@ -2,8 +2,8 @@
 #include <limits>
 #include <utility>
 
-#include "addons/certified/end_words.hpp"
 #include "addons/checks/fit_warnings.hpp"
+#include "addons/checks/shared_words.hpp"
 #include "addons/effects/fit.hpp"
 #include "catch_compat.hpp"
 #include "support/doubtful_scenes.hpp"

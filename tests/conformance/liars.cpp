@@ -195,7 +195,7 @@ TEST_CASE("the judge finds a wrong friction force, motion or claim to be the onl
   CHECK(judged(says<SolveStatus::Breakdown>, other).empty());
   const Solver takes_none{"liar", "for this test", primal_dual_active_set};
   CHECK_FALSE(takes_part(takes_none, pair));
-  CHECK_FALSE(takes_part(takes_none.with_friction(Takes::Only), solvable()));
+  CHECK_FALSE(takes_part(Solver(takes_none).with_friction(Takes::Only), solvable()));
 }
 
 TEST_CASE("the judge finds false proofs that a body escapes", "[conformance][judge]") {

@@ -70,21 +70,19 @@ TEST_CASE("an open pair closes, and a closed one opens, where rounding cannot ha
 
 TEST_CASE("a sliding pair is named by its friction force, and by its slip only where it has none",
           "[active_set][friction]") {
+  using Statuses = std::vector<ContactStatus>;
   const FrictionLaw rough = law_of_all(Vector2d(0.5, 0), Vector2d(0, 2));
-  ContactState state;
-  state.slip = Vector2d(1e-17, -1e-17);
-  state.friction = Vector2d(0.5, -2);
-  state.force = Vector2d(1, 0);
-  state.contact_status = {ContactStatus::SlipBackward, ContactStatus::SlipForward};
-  const std::vector<ContactStatus> named = state.contact_status;
-  name_slides(rough, state);
-  CHECK(state.contact_status == named);
-  state.force(0) = -1e-17;  // presses by rounding
-  name_slides(rough, state);
-  CHECK(state.contact_status ==
-        std::vector<ContactStatus>{ContactStatus::SlipForward, ContactStatus::SlipForward});
-  state.contact_status = {ContactStatus::SlipBackward, ContactStatus::Stick};
-  name_slides(law_of_all(Vector2d(0, 0), Vector2d(0, 0)), state);
-  CHECK(state.contact_status ==
-        std::vector<ContactStatus>{ContactStatus::SlipForward, ContactStatus::Stick});
+  const FrictionLaw smooth = law_of_all(Vector2d(0, 0), Vector2d(0, 0));
+  const auto named = [](const FrictionLaw& law, double pressed, const Statuses& statuses) {
+    ContactState state;
+    fill_state(law, statuses, Eigen::Vector4d(pressed, 0, 0.5, -2),
+               Eigen::Vector4d(0, 0, 1e-17, -1e-17), state);
+    return state.contact_status;
+  };
+  const Statuses both = {ContactStatus::SlipBackward, ContactStatus::SlipForward};
+  CHECK(named(rough, 1, both) == both);
+  CHECK(named(rough, -1e-17, both) ==  // presses by rounding
+        Statuses{ContactStatus::SlipForward, ContactStatus::SlipForward});
+  CHECK(named(smooth, -1e-17, {ContactStatus::SlipBackward, ContactStatus::Stick}) ==
+        Statuses{ContactStatus::SlipForward, ContactStatus::Stick});
 }

@@ -5,6 +5,7 @@
 #include "addons/certified/at_rest.hpp"
 #include "addons/certified/proofs.hpp"
 #include "addons/certified/soft_pairs.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/solvers/fischer_burmeister.hpp"
 #include "signorini/solvers/portfolio.hpp"
 #include "signorini/solvers/quasi_active_set.hpp"
@@ -22,18 +23,20 @@ Solver strengthened(const Solver& solver, const ContactProblem& problem) {
   return strong;
 }
 
-/// Forces, movements and amplitudes of a solution, as its set has them.
-ActiveSetSolution solution_of(const ScaledProblem& scaled, const ContactProblem& problem,
-                              const ContactState& state) {
-  ActiveSetSolution start;
-  start.force.resize(scaled.free.size());
-  start.force << state.force, state.friction;
-  start.force.array() /= scaled.scale.array();
-  start.amplitude.setZero(scaled.rigid.cols());
-  if (scaled.rigid.cols() > 0)
-    start.amplitude =
-        scaled.rigid.transpose() * scaled.scale.cwiseProduct(problem.rigid * state.amplitude);
-  return solve_active_set(scaled, all_statuses(state), &start);
+/// Forces and movements of a solution in the units of the scaled problem, and the sign of the determinant of its set.
+ActiveSetSolution solution_of(const ScaledProblem& scaled, const ContactState& state) {
+  ActiveSetSolution solution;
+  solution.force.resize(scaled.free.size());
+  solution.force << state.force, state.friction;
+  solution.force.array() /= scaled.scale.array();
+  solution.movement.resize(scaled.free.size());
+  solution.movement << state.gap, state.slip;
+  solution.movement.array() *= scaled.scale.array();
+  solution.force_rounding = static_cast<double>(scaled.free.size() + scaled.rigid.cols() + 1) *
+                            epsilon * largest(solution.force);
+  solution.reversed =
+      active_set_system(scaled, active_set(all_statuses(state), scaled.law)).reversed;
+  return solution;
 }
 
 void prove_uniqueness(const ContactProblem& problem, ContactState& state) {
@@ -41,7 +44,7 @@ void prove_uniqueness(const ContactProblem& problem, ContactState& state) {
       problem.resultant.size() > 0 ? equilibrate(problem) : equilibrate_any(problem);
   if (!scaled.symmetric) return;
   const std::vector<ContactStatus> statuses = all_statuses(state);
-  const ActiveSetSolution solution = solution_of(scaled, problem, state);
+  const ActiveSetSolution solution = solution_of(scaled, state);
   state.uniqueness = uniqueness(scaled, statuses, solution);
   if (state.uniqueness == Uniqueness::Doubtful)
     state.uniqueness_warning = uniqueness_warning(scaled, statuses, solution);
