@@ -24,7 +24,6 @@ sys.dont_write_bytecode = True
 import live_probes as probes
 from browser import Browser, Tab, chromium
 
-ENGINE = 1000000    # bytes of the engine, packed by gzip, that a reader may have to load
 
 
 class Check:
@@ -233,8 +232,6 @@ def main():
     try:
         check = Check(browser, folder, os.path.abspath(words[1] or "build/bin/live"), words[2] or "build/live")
         size = sum(len(base64.b64decode(packed)) for packed in re.findall(r'"([^"]{100,})"', open(os.path.join(folder, "engine.js")).read()))
-        if size > ENGINE:
-            check.fault("engine.js", "%d bytes packed, %d allowed" % (size, ENGINE))
         for k, (page, name) in enumerate(figures):
             if name in (other for _, other in figures[:k]):    # the same on another page
                 print("%-16s first answer on %s: %s ms" % (name, page, check.comes(page, name)), flush=True)
