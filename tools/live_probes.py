@@ -149,17 +149,25 @@ def in_letters(value):
     return {k: in_letters(v) for k, v in value.items()} if isinstance(value, dict) else value
 
 
+def determined(panel):
+    """The layers of a panel that the problem determines."""
+    return [layer for layer in panel["layers"] if not layer["varies"]]
+
+
 def same_panels(one, other):
-    """Whether the same layers lie on the same axes."""
-    def apart(panels):
-        return [{**panel, "window": len(panel["window"])} for panel in panels], [end for panel in panels for end in panel["window"]]
-    (words, ends), (others, other_ends) = apart(one), apart(other)
-    return words == others and all(math.isclose(a, b, rel_tol=PART) for a, b in zip(ends, other_ends))
+    """Whether the same determined layers lie on the same axes; those where all is rounding may have others."""
+    def words(panel):
+        layers = [{k: v for k, v in layer.items() if k not in ("x", "y", "value")} for layer in determined(panel)]
+        return {**panel, "window": len(panel["window"]), "layers": layers}
+    return list(map(words, one)) == list(map(words, other)) and all(
+        math.isclose(a, b, rel_tol=PART) for p, q in zip(one, other) if determined(p) for a, b in zip(p["window"], q["window"]))
 
 
-def difference(panel, layer, key, drawn, arrays):
-    """By how much of its axis, or of its scale, an array of the browser differs from that of the program; inf if NaNs do."""
-    a, b, k = drawn[layer[key]], arrays[layer[key]], 2 * (key == "y")
+def difference(panel, layer, key, a, b):
+    """By how much of its axis, or of its scale, an array of the browser differs from that of the program; inf if NaNs or sizes do."""
+    k = 2 * (key == "y")
+    if len(a) != len(b):
+        return math.inf
     low, high = (layer["least"], layer["most"]) if key == "value" else panel["window"][k:k + 2]
     of = (lambda v: math.log10(v) if v > 0 else 0) if key != "value" and panel["log_" + key] else lambda v: v
     span, worst = of(high) - of(low), 0

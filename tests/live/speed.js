@@ -12,11 +12,15 @@ const make = new Function("require", "process", "__dirname", "__filename", unpac
 
 (async () => {
   const begin = performance.now(), engine = await make(require, process, __dirname, __filename)({ wasmBinary: unpack(wasm) });
-  console.log(`engine: ${(fs.statSync(file).size / 1024).toFixed(0)} KiB, there after ${(performance.now() - begin).toFixed(0)} ms`);
+  const there = performance.now() - begin, packed = [glue, wasm].map(text => Buffer.from(text, "base64").length), brotli = [glue, wasm].map(t => zlib.brotliCompressSync(unpack(t)).length);
+  const most = 1e6;    // bytes of the engine that a web server sends, packed by brotli
+  const sum = sizes => `${(sizes.reduce((a, b) => a + b) / 1e6).toFixed(3)} MB`;
+  console.log(`engine: ${sum([fs.statSync(file).size])} as a script, ${sum(packed)} by gzip, ${sum(brotli)} by brotli, there after ${there.toFixed(0)} ms`);
   const ask = words => JSON.parse(engine.ccall("live_answer", "string", ["string"], [words]));
   const native = lines => execFileSync(live, { input: lines.join("\n") + "\n", maxBuffer: 1 << 28 }).toString().trim().split("\n").map(l => JSON.parse(l));
   const names = /there are: (.*)/i.exec(ask("no_such_figure").error)[1].split(", ");
   let bad = 0;
+  if (brotli[0] + brotli[1] > most) { ++bad; console.log(`the engine has more than ${most} bytes by brotli`); }
   for (const name of names) {
     const requests = [name];
     for (const c of ask(`figure ${name}`).controls)

@@ -85,6 +85,7 @@ Answer step_by_step(const Request& now) {
     missing.curve(r == 0 ? "all rules" : "", Look::Dotted, step_numbers, top.missing.col(r));
   missing.curve(rules[rule].name, Look::Line, step_numbers, missed);
   missing.curve("here", Look::Here, step_numbers.segment(steps, 1), missed.segment(steps, 1));
+  for (Layer& layer : missing.layers) layer.varies = true;  // they end in rounding
   Panel overlaps{"Overlaps that are left", "pair", "overlap"};
   overlaps.window = {0, pairs + 1, -widest, widest};
   overlaps.whole_x = true;

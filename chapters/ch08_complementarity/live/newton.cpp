@@ -22,8 +22,8 @@ Panel map_of(const ComplementarityFunction& phi, const Pair& pair, const VectorX
   Panel map{"The function, and the pair's line", "gap a [mm]", "force b [N]", true};
   map.window = {least_gap, largest_gap, least_force, largest_force};
   map.drag = {{"start", 0, 1}};
-  const VectorXd x = VectorXd::LinSpaced(59, least_gap, largest_gap);
-  const VectorXd y = VectorXd::LinSpaced(57, least_force, largest_force);
+  const VectorXd x = VectorXd::LinSpaced(60, least_gap, largest_gap);
+  const VectorXd y = VectorXd::LinSpaced(58, least_force, largest_force);
   const auto value = [&phi](double gap, double at_force) { return phi.value(gap, at_force); };
   map.map("value of the function", x, y, value, -6, 6);
   map.level_lines("level lines", Look::Dotted, x, y, value, {-3, -2, -1, -0.5, 0.5, 1, 2, 4});

@@ -119,6 +119,9 @@ Answer compress(const Request& now) {
   answer.number("last", "last closed pair at", out.last_closed / b, "b", "%.3f");
   answer.solution(solution, out.now.points == 0);
   answer.panels = {near, pressure_curves(out), widths(now, out), gap};
+  for (const std::size_t k : {0, 1, 3})  // pressures of points are not determined
+    for (Layer& layer : answer.panels[k].layers)
+      layer.varies = out.now.points > 0 && layer.corners == 0 && layer.look != Look::Dashed;
   return answer;
 }
 

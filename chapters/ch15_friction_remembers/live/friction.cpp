@@ -124,7 +124,7 @@ Answer push_and_turn(const Request& now) {
 Figure friction() {
   return {"friction",
           "A push forth and back",
-          {playing(slider("step", "step, turns at 6 and 18", 12, 0, 30, 1)),
+          {playing(slider("step", "step, turns at 6 and 18", 6, 0, 30, 1)),
            slider("coefficient", "coefficient of friction \u03bc", 0.3, 0.1, 0.8, 0.1),
            slider("turn", "the push turns at, over \u03bcP", 0.6, 0.1, 0.95, 0.05),
            toggle("memory", "slip counts from the step before", true)},
