@@ -102,6 +102,9 @@ TEST_CASE("a gap is that of the place, where the linear one is wrong by s^2/2R",
     const Vector2d old = x - Vector2d(0.2, 0);
     const Vector2d centre(1.5, 1 - radius);
     CHECK(std::abs(gap(pair) - ((x - centre).norm() - radius)) <= 1e-14);
+    // A node slides by its way along the tangent there.
+    const Vector2d normal = (x - centre).normalized();
+    CHECK(std::abs(gap(pairs + pair) - 0.2 * normal.y()) <= 1e-14);
     // The linear gap of the first place lacks the curvature.
     const Vector2d n = (old - centre).normalized();
     const double linear = first(pair) + 0.2 * n.x();
@@ -176,6 +179,28 @@ TEST_CASE("a block and its base that go the same way keep what they have", "[mot
     CHECK((step.state.solution.force - steps[0].state.solution.force).cwiseAbs().maxCoeff() <=
           1e-10 * steps[0].state.solution.force.cwiseAbs().maxCoeff());
   }
+}
+
+// What is left is the rounding of displacements: 100 lengths in 1e-16 beside a strain of 1e-3.
+TEST_CASE("a block that slides on a base that is carried far has the forces of one that is not",
+          "[motion]") {
+  const auto forces = [](double carried) {
+    MovingBlocks of;
+    of.press = 1e-3;
+    of.drag = carried + 0.5;
+    of.steps = 2;
+    Scene scene = moving_blocks(of);
+    scene.bodies[0].supports = {prescribed("bottom", Axis::X, carried),
+                                prescribed("bottom", Axis::Y, 0)};
+    scene.bodies[0].supports[0].history = "drag";
+    const PathEnd end = solve_steps(scene);
+    CHECK(end.status == SolveStatus::Solved);
+    return end.state.solution.force;
+  };
+  const VectorXd still = forces(0);
+  const VectorXd far = forces(100);
+  REQUIRE(far.size() == still.size());
+  CHECK((far - still).cwiseAbs().maxCoeff() <= 1e-9 * still.cwiseAbs().maxCoeff());
 }
 
 // Nothing holds the block but contact: its amplitudes are unknowns of every linear problem, and it goes along as a whole.
