@@ -313,11 +313,12 @@ TEST_CASE("messages are short and show nothing that is not printed", "[scene_fil
   CHECK(complaint("title = 1\nbody = {}") == "name:1: title: expected a text, got the number 1");
   CHECK(complaint("\"\\u0007\" = 1") ==
         "name:1: ?: unknown key; there are: title, solver, material, body, contact, history, "
-        "steps, halvings, output");
+        "steps, halvings, moves, output");
   const std::string longest(500, 'x');
-  CHECK(complaint(longest + " = 1") == "name:1: " + std::string(40, 'x') +
-                                           "...: unknown key; there are: title, solver, material, "
-                                           "body, contact, history, steps, halvings, output");
+  CHECK(complaint(longest + " = 1") ==
+        "name:1: " + std::string(40, 'x') +
+            "...: unknown key; there are: title, solver, material, "
+            "body, contact, history, steps, halvings, moves, output");
   CHECK(complaint("solver = \"" + longest + "\"\nbody = {}")
             .find(std::string(40, 'x') + "...'; there are:") != std::string::npos);
 }
