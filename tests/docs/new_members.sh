@@ -11,7 +11,7 @@ write() { # $1: the repository, $2: the folder
     sed 's/"q8"/"q8_again"/; s/Element q8()/Element q8_again()/' "$library/fem/q8.cpp" > "$out/q8_again.cpp"
     sed 's/q8_again/q8_wrong/; s/0\.5 \* (1 - xi \* xi)/0.4 * (1 - xi * xi)/' "$out/q8_again.cpp" > "$out/q8_wrong.cpp"
     sed 's/q8()/q8(), q8_again(), q8_wrong()/' "$library/fem/elements.cpp" > "$out/elements.cpp"
-    sed '/#include/!s/node_to_segment/node_again/g' "$library/contact/node_to_segment.cpp" > "$out/node_again.cpp"
+    sed '/#include/!s/node_to_segment/node_again/g' "$library/pairing/node_to_segment.cpp" > "$out/node_again.cpp"
     sed 's/ mortar()/ mortar(), node_again()/' "$library/pairing/gap_operators.cpp" > "$out/gap_operators.cpp"
     sed '/#include/!s/enumerate(/enumerate_again(/' "$library/solvers/enumerate.cpp" > "$out/enumerate_again.cpp"
     sed 's/^namespace {$/ContactState enumerate_again(const ContactProblem\&, const SolverOptions\&);\n&/

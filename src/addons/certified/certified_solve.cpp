@@ -317,7 +317,7 @@ CertifiedSolution certified_solve(const QuadraticProgramme& programme,
     return separate_solutions(programme, condensed, null_vectors, systems, solver, options, ledger);
   CertifiedSolution end =
       CertifiedSolve(programme, condensed, null_vectors, ledger).run(solver, options);
-  for (Solver (*const next)() : asked_after(solver)) {
+  for (Solver (*const next)() : solver.others) {
     const SolveStatus status = end.state.report.status;
     const bool lost = status == SolveStatus::Breakdown || status == SolveStatus::IterationLimit;
     if (!lost || options.iteration_limit > 0) break;

@@ -6,9 +6,7 @@
 #include "addons/certified/proofs.hpp"
 #include "addons/certified/soft_pairs.hpp"
 #include "signorini/core/rounding.hpp"
-#include "signorini/solvers/fischer_burmeister.hpp"
 #include "signorini/solvers/portfolio.hpp"
-#include "signorini/solvers/quasi_active_set.hpp"
 
 namespace signorini {
 namespace {
@@ -16,7 +14,6 @@ namespace {
 /// A member that names others, with those of this add-on that the problem is for before them.
 Solver strengthened(const Solver& solver, const ContactProblem& problem) {
   Solver strong = solver;
-  strong.others = asked_after(solver);
   if (solver.others.empty()) return strong;
   if (!problem.law.pair.empty()) strong.others.insert(strong.others.begin(), soft_pairs);
   if (problem.resultant.size() > 0) strong.others.insert(strong.others.begin(), at_rest);
@@ -51,15 +48,6 @@ void prove_uniqueness(const ContactProblem& problem, ContactState& state) {
 }
 
 }  // namespace
-
-std::vector<Solver (*)()> asked_after(const Solver& solver) {
-  std::vector<Solver (*)()> members;
-  for (Solver (*const next)() : solver.others) {
-    members.push_back(next);
-    if (next == static_cast<Solver (*)()>(quasi_active_set)) members.push_back(fischer_burmeister);
-  }
-  return members;
-}
 
 ContactState solve_with_proofs(const ContactProblem& problem, const Solver& solver,
                                const SolverOptions& options) {

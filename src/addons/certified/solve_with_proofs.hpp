@@ -1,22 +1,14 @@
 /// \file
 /// The portfolio between two proofs: that nothing solves a problem, and that nothing else does.
 #pragma once
-#include <vector>
-
 #include "signorini/solvers/solvers.hpp"
 
 namespace signorini {
 
-/// Those that this add-on asks after a member: its own, and fischer_burmeister() behind quasi_active_set(), which saves few
-/// problems and needs Newton's method.
-/// \param solver  a member
-/// \return functions that return members
-[[nodiscard]] std::vector<Solver (*)()> asked_after(const Solver& solver);
-
 /// Solves a problem of any kind as the solve() of the portfolio does, and says what can be proved about it.
 ///
 /// Before any method is asked, infeasible_resultant() looks for a proof that no contact forces balance the load. Where the
-/// member names others, at_rest() and soft_pairs() are asked before those that are asked_after() it. A matrix of any kind that no member solved is
+/// member names others, at_rest() and soft_pairs() are asked before them. A matrix of any kind that no member solved is
 /// refuted by farkas_certificate() where that can be; a solution with friction comes with its uniqueness().
 /// \param problem  any
 /// \param solver   a member

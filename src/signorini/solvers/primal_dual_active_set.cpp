@@ -40,6 +40,7 @@
 #include <vector>
 
 #include "signorini/solvers/coarse_iterate.hpp"
+#include "signorini/solvers/fischer_burmeister.hpp"
 #include "signorini/solvers/lemke.hpp"
 #include "signorini/solvers/quasi_active_set.hpp"
 
@@ -150,8 +151,9 @@ ContactState primal_dual_active_set(const ContactProblem& problem, const SolverO
   return finished(problem, scaled, std::move(iterate));
 }
 
-// The method is fast where it arrives. The two others arrive more surely: quasi_active_set()
-// raises an energy with each set, and lemke() follows a path that cannot cycle.
+// The method is fast where it arrives. The three others arrive more surely: quasi_active_set()
+// raises an energy with each set, fischer_burmeister() shortens its steps until a residual falls,
+// and lemke() follows a path that cannot cycle.
 Solver primal_dual_active_set() {
   return Solver{
       "primal_dual_active_set",
@@ -160,7 +162,7 @@ Solver primal_dual_active_set() {
       .may_fail_on({Trait::Asymmetric})
       .with_friction(Takes::Also)
       .with_rigid_modes()
-      .before({quasi_active_set, lemke});
+      .before({quasi_active_set, fischer_burmeister, lemke});
 }
 
 }  // namespace signorini

@@ -36,7 +36,7 @@ struct ScaledProblem;
                                                   const SolverOptions& options = {});
 
 /// The default: on ordinary contact its own few steps are all that is needed.
-/// \return the member of the family, with quasi_active_set() and lemke() to ask after it
+/// \return the member of the family, with quasi_active_set(), fischer_burmeister() and lemke() to ask after it
 [[nodiscard]] Solver primal_dual_active_set();
 
 /// Exchanges the statuses of all wrong pairs at once: takes what each pair does as known, open, sticking, or
