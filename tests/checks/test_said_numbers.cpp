@@ -2,6 +2,7 @@
 #include <limits>
 #include <utility>
 
+#include "addons/certified/end_words.hpp"
 #include "addons/checks/fit_warnings.hpp"
 #include "addons/checks/shared_words.hpp"
 #include "addons/effects/fit.hpp"
