@@ -28,7 +28,7 @@ std::vector<bool> within(const Mesh& mesh, const MeshPiece& piece) {
 
 }  // namespace
 
-/// Each cell is taken for the polygon of its corners: \f$ \int \nabla u\,dA = \int_{\partial A} u \otimes n\,ds \f$ with u straight
+/// Each cell is taken for the polygon of its corners: \f$ \int \nabla u\,dA = \int_{\partial A} u\,n^T ds \f$ with u straight
 /// between them.
 double mean_turn(const Mesh& mesh, const MeshPiece& piece, const NodeArray& displacements) {
   const std::vector<bool> inside = within(mesh, piece);
