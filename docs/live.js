@@ -159,6 +159,7 @@ onmessage = async ({ data }) => {
     let last, busy = false, wish = null, drawn = asked()[0] === name ? {} : null, timer = 0, players = [];
     const reveal = line => {
       drawn = { line };
+      tabs.children[last.answer.panels.findIndex(p => p.question)]?.click();  // the guess beside the answer
       show();
       if (line && last.answer.panels.some(p => p.question && p.layers.some(l => l.look === "trail"))) players[0]?.run();
     };

@@ -79,6 +79,7 @@ USES = """(async () => { %s const out = {}, $ = s => live.querySelector(s), all 
   pointer(stage, 'pointerup', 1, 0.9, 0);
   out.drawn = $('.live-ask button').disabled;
   $('.live-ask button').click();
+  out.beside = all('.live-tabs button').findIndex(t => t.getAttribute('aria-pressed') === 'true');
   out.plays = [live.classList.contains('asks'), !!$('path.guess'), !!$('.playing')];
   for (let i = 0; i < 200 && $('.playing'); ++i) await wait(20);
   out.high = live.getBoundingClientRect().height;
@@ -94,6 +95,7 @@ USES = """(async () => { %s const out = {}, $ = s => live.querySelector(s), all 
   document.querySelector('a.set').click();
   await answered();
   out.set = [input.value, list.value, location.hash];
+  all('.live-tabs button')[0].click();
   const held = $('.live-stage.grab');
   pointer(held, 'pointerdown', 0.5, 0.5);
   pointer(held, 'pointermove', 0.5, 0.7);
@@ -167,6 +169,7 @@ def used(check, found, width):
     """What a reader does with a figure."""
     check("a question hides the answer", found["asks"] == [True, 1, False, "Draw it.", True], found["asks"])
     check("a guess is drawn", found["drawn"] is False, found["drawn"])
+    check("the guess is seen beside the answer", found["beside"] == 1, found["beside"])
     check("the answer comes with the guess, and plays", found["plays"] == [False, True, True], found["plays"])
     check("the answer fits the room of the question", found["high"] <= ROOM[width < 600] + 2, found["high"])
     check("it plays to the end and leaves a trail", found["end"][0] == "1" and found["end"][1] == 6, found["end"])
