@@ -112,6 +112,7 @@ SlipNames slip_names(const Model& model) {
   return names;
 }
 
+/// What rows of these names know, by the names of the rows that are now: zero for a row that is new.
 VectorXd handed_on(const SlipNames& names, const VectorXd& values, const SlipNames& here) {
   VectorXd all = VectorXd::Zero(static_cast<Index>(here.size()));
   for (std::size_t k = 0; k < here.size() && values.size() > 0; ++k)
