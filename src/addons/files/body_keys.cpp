@@ -9,6 +9,7 @@
 #include "signorini/core/index.hpp"
 #include "signorini/fem/elements.hpp"
 #include "signorini/fem/regions.hpp"
+#include "signorini/fem/strain_law.hpp"
 
 namespace signorini {
 
@@ -273,7 +274,13 @@ const Keys<Material>& material_keys() {
       required(key("poisson_ratio", &Material::poisson_ratio, "", "Poisson's ratio")),
       key("state", &Material::state, "", "what does not happen across the plane"),
       key("thickness", &Material::thickness, "length", "across the plane", Bound::Positive),
-      key("expansion", &Material::expansion, "1/temperature", "thermal strain per temperature")};
+      key("expansion", &Material::expansion, "1/temperature", "thermal strain per temperature"),
+      {{"law", "text", "", "\"small\"", "what it answers to strains: " + names_of(strain_laws())},
+       [](const Value& value, Material& material) {
+         std::string name;
+         take(value, name);
+         value.explain([&] { material.law = find_strain_law(name); });
+       }}};
   return keys;
 }
 

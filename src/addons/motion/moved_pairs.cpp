@@ -4,8 +4,8 @@
 // and that gap is wrong by \f$ s^2/2R \f$. So the pairs are found again where the bodies stand, by the effects that
 // found them first: contact, friction and cohesion declare and add once more, to a draft whose meshes have moved.
 //
-// Positions are doubles, and \f$ \hat x = X + u \f$ is rounded. The displacement that belongs to it is
-// \f$ \hat u = \hat x - X \f$, not u: so the gap of u is right to first order in what rounding took.
+// Positions are doubles, and \f$ \hat x = X + u \f$ is rounded. What rounding took is known to the last digit, and moves the
+// gap by its row: so the gap of u is right to first order in it.
 
 #include "addons/motion/moved_pairs.hpp"
 
@@ -62,42 +62,55 @@ std::string slide_along_obstacles(const Standing& standing, Pairs& pairs) {
   return {};
 }
 
-/// What supports still have to move: given displacements are counted from where the bodies stand.
-Unknowns from_there(Unknowns unknowns, const NodeArray& displacement) {
-  unknowns.held = (unknowns.number < 0).select(unknowns.held - displacement, 0);
+/// X + u rounded, and what that lacks.
+struct Places {
+  NodeArray rounded;
+  NodeArray rest;
+};
+
+Places places(const NodeArray& X, const Displaced& u) {
+  Places there{X + u.high, {}};
+  const NodeArray part = there.rounded - X;
+  there.rest = ((X - (there.rounded - part)) + (u.high - part)) + u.low;
+  return there;
+}
+
+/// What supports still have to move, from the rounded places.
+Unknowns from_there(Unknowns unknowns, const Displaced& u, const NodeArray& rest) {
+  unknowns.held = (unknowns.number < 0).select(((unknowns.held - u.high) - u.low) + rest, 0);
   return unknowns;
 }
 
-/// Rows of bodies that have moved by \f$ \hat u \f$ are tangents there. A gap that is seen there belongs to \f$ \hat u \f$, so
-/// that the number without any displacement is \f$ g + A\hat u \f$, and that of the slip \f$ s - T\hat u \f$.
-void count_from_the_meshes(const NodeArray& displacement, const Unknowns& unknowns, Gaps& gaps) {
-  const Eigen::VectorXd u = restricted(unknowns, displacement);
-  gaps.pairs.initial_gap += gaps.A * u;
-  if (gaps.T.rows() > 0) gaps.initial_slip -= gaps.T * u;
+/// Gaps and slips are seen from the rounded places, which the unknowns are a little beside.
+void add_rest(const NodeArray& rest, const Unknowns& unknowns, Gaps& gaps) {
+  const Eigen::VectorXd beside = restricted(unknowns, rest);
+  gaps.pairs.initial_gap -= gaps.A * beside;
+  if (gaps.T.rows() > 0) gaps.initial_slip += gaps.T * beside;
 }
 
 }  // namespace
 
-void place_bodies(const Scene& scene, const NodeArray& displacement, const NodeArray& before,
+void place_bodies(const Scene& scene, const Displaced& displacement, const Displaced& before,
                   Model& model) {
   const NodeArray still = nodes_of(model.bodies);
-  const NodeArray now = still + displacement;
-  const NodeArray earlier = still + before;
+  const Places now = places(still, displacement);
+  const NodeArray moved = (displacement.high - before.high) + (displacement.low - before.low);
   Plan draft;
-  draft.standing = std::make_shared<const Standing>(Standing{now - still, earlier, now - earlier});
+  draft.standing = std::make_shared<const Standing>(
+      Standing{displacement.high, still + before.high, moved - now.rest});
   draft.fits = {[&standing = *draft.standing](const ContactSpec& /*contact*/, Pairs& pairs) {
     return slide_along_obstacles(standing, pairs);
   }};
-  draft.unknowns = from_there(model.unknowns, draft.standing->displacement);
+  draft.unknowns = from_there(model.unknowns, displacement, now.rest);
   draft.gaps.A.resize(0, model.unknowns.count);
   draft.gaps.pairs.opening.resize(0, still.size());
   draft.gaps.pairs.sliding.resize(0, still.size());
   {
-    const BodiesThere there(model, now, draft);
+    const BodiesThere there(model, now.rounded, draft);
     for (const Effect* effect : model.effects)
       if (effect->of_pairs) effect->declare(scene, draft);
   }
-  count_from_the_meshes(draft.standing->displacement, draft.unknowns, draft.gaps);
+  add_rest(now.rest, draft.unknowns, draft.gaps);
   model.standing = std::move(draft.standing);
   model.gaps = std::move(draft.gaps);
   model.contact_of = std::move(draft.contact_of);
@@ -105,6 +118,13 @@ void place_bodies(const Scene& scene, const NodeArray& displacement, const NodeA
   for (const Effect* effect : model.effects)
     if (effect->of_pairs) effect->add(model);
   model.gaps = {};
+}
+
+void count_from_the_scene(const Displaced& displacement, Model& model) {
+  if (model.programme.A.rows() == 0) return;
+  model.programme.initial_gap +=
+      model.programme.A * restricted(model.unknowns, displacement.high + displacement.low);
+  model.pairs.initial_gap = model.programme.initial_gap.head(model.pairs.weight.size());
 }
 
 std::vector<PairName> names_of_pairs(const Model& model) {

@@ -8,19 +8,25 @@
 #include <vector>
 
 #include "signorini/scene/scene.hpp"
+#include "signorini/scene/step_loop.hpp"
 
 namespace signorini {
 
-/// Finds the pairs of a model where its bodies stand, and writes `pairs`, `contact_of`, `law`, A and g: the gap is
-/// \f$ g(\hat u) + N(\hat u)\,(u - \hat u) \f$ with the place \f$ \hat u \f$, and the slip is what the two sides have slid
-/// along each other since the last step. Given displacements are those that the model has now.
+/// Finds the pairs of a model where its bodies stand, and writes `pairs`, `contact_of`, `law`, A and g: all of them count from
+/// there. The gap is \f$ g(\hat u) + N(\hat u)\,d \f$ of unknowns that move by d, and the slip is what the two sides have
+/// slid along each other since the last step. Given displacements move as far as the model has them at last.
 /// \param scene         contacts, and of the bodies their supports
-/// \param displacement  `n_nodes x 2` from the scene to where the bodies stand [length]
-/// \param before        `n_nodes x 2` the same at the end of the last step [length]
+/// \param displacement  of all nodes, from the scene to where the bodies stand
+/// \param before        the same at the end of the last step
 /// \param[in,out] model  from build() of the scene; as it was if an error is thrown
 /// \throws ProblemError as GapOperator: a source that faces nothing, or lies in its target deeper than a cell
-void place_bodies(const Scene& scene, const NodeArray& displacement, const NodeArray& before,
+void place_bodies(const Scene& scene, const Displaced& displacement, const Displaced& before,
                   Model& model);
+
+/// Lets gaps and slips of a model that was placed count from the scene: \f$ g - Au \f$ with all of u is what they are there.
+/// \param displacement  of all nodes, where the bodies stand
+/// \param[in,out] model  from place_bodies()
+void count_from_the_scene(const Displaced& displacement, Model& model);
 
 /// Which pair is which, wherever it stands among the others: the number of its contact and the node of its source.
 using PairName = std::pair<std::size_t, Eigen::Index>;

@@ -1,11 +1,16 @@
 // # A step of bodies that move
 //
-// Contact of bodies that slide is no linear problem: gaps and normals depend on where the bodies are. Near a place
-// \f$ \hat u \f$ it is one,
-// \f[ Ku = p - A^T\lambda, \qquad A = -N(\hat u), \qquad \text{gap} = g(\hat u) + N(\hat u)(u - \hat u), \f]
-// and that is solved exactly, with complementarity, friction and certificate, by the road of all scenes. Its u is the next
-// place. Josephy showed in 1979 that this is Newton's method for such problems. K does not change, so that its one
+// Contact of bodies that slide is no linear problem: gaps and normals depend on where the bodies are. So do forces, if strains
+// are not small. Near a place \f$ \hat u \f$ all of it is linear in the way d that is left,
+// \f[ K(\hat u)\,d = p - f(\hat u) - A^T\lambda, \qquad A = -N(\hat u), \qquad \text{gap} = g(\hat u) - Ad, \f]
+// and that is solved exactly, with complementarity, friction and certificate, by the road of all scenes. \f$ \hat u + d \f$ is
+// the next place. Josephy showed in 1979 that this is Newton's method for such problems.
+//
+// Where all strains are small K does not change, so that its one
 // factor serves all iterations of all steps: what an iteration costs is a search and the compliance of its rows.
+//
+// The end has d = 0. So its digits are those of p - f and of g alone: forces of cells and gaps of places, each computed from
+// differences of nearby nodes, see [body_answers.cpp](body_answers.cpp).
 
 #include "addons/motion/moving_step.hpp"
 
@@ -13,13 +18,18 @@
 #include <cmath>
 #include <utility>
 
+#include "addons/motion/body_answers.hpp"
+#include "addons/motion/held_by_pairs.hpp"
+#include "addons/motion/linear_problem.hpp"
 #include "addons/motion/moved_pairs.hpp"
 #include "addons/motion/turns.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/problem/active_set_system.hpp"
+#include "signorini/problem/exact_sum.hpp"
 #include "signorini/problem/residual.hpp"
 #include "signorini/scene/balance.hpp"
+#include "signorini/scene/checks.hpp"
 
 namespace signorini {
 namespace {
@@ -31,48 +41,135 @@ using Eigen::VectorXd;
 /// needs more than this many is none that ends.
 constexpr int most_iterations = 60;
 
+/// The way that an iteration may go while nothing but weak springs holds a body, in sizes of the smallest body.
+constexpr double bounded_way = 0.1;
+
+/// How far the unknowns have moved, less the mean of their body: a body that is carried far is no better measured by that.
+VectorXd moved_within(const Model& model, const Displaced& at) {
+  NodeArray moved = at.high;
+  for (const BodyModel& body : model.bodies) {
+    auto own = moved.middleRows(body.first_node, body.mesh.n_nodes());
+    own.rowwise() -= own.colwise().mean().eval();
+  }
+  return restricted(model.unknowns, moved);
+}
+
+double smallest_size(const Model& model) {
+  double size = std::numeric_limits<double>::infinity();
+  for (const BodyModel& body : model.bodies) {
+    const NodeArray& nodes = body.mesh.nodes;
+    size = std::min(size, (nodes.colwise().maxCoeff() - nodes.colwise().minCoeff()).norm());
+  }
+  return size;
+}
+
 /// The problem that an iteration has solved.
 struct Linearised {
   std::vector<PairName> names;
   FrictionLaw law;
-  VectorXd pushed;  ///< `n` what its forces do to the unknowns [force]
 };
 
 /// A step while it is solved.
 struct Moving {
-  const decltype(StepLoop::place)& place;
-  const NodeArray& before;
+  const PlacePairs& place;
+  const Displaced& before;
   Model& model;
   Condensed& condensed;
   SolverOptions options;
   Ledger ledger;
+  BodyAnswers bodies = BodyAnswers(model);
+  Eigen::SparseMatrix<double> stiffness = model.programme.stiffness;  ///< of the scene
+  VectorXd load = model.programme.load;                               ///< of the scene
+  VectorXd outer = outer_forces(model);
+  Displaced at = before;              ///< where the model is linear about
+  std::vector<Index> held = {};       ///< rows that held in the last iteration, see held_rows()
+  bool bounded = false;               ///< whether only springs held a body in it
+  std::string reason = {};            ///< why a place cannot be gone to
 
+  [[nodiscard]] bool at_rest() const { return at.high.isZero(0) && at.low.isZero(0); }
+  void linearise(const Displaced& there);
   Solution linear_problem();
-  bool goes_to(const Solution& solution, std::string& reason);
+  [[nodiscard]] Displaced ahead(const Solution& solution, double share) const;
+  bool goes_to(const Solution& solution);
   [[nodiscard]] bool holds_here(Solution& solution, const Linearised& solved) const;
+  void conclude(Solution& solution) const;
+  void give_back() const;
+  bool ends(Solution& solution);
   Solution solved();
 };
 
-/// Solves the contact problem of the pairs as they are placed. That of a plan, in the phase `condensation`, is made once more
-/// for each.
-Solution Moving::linear_problem() {
-  condensed.problem.law = model.law;
-  {
-    const Ledger::Phase phase(ledger, "compliance");  // as often as pairs are found
-    condensed.problem.compliance = condensed.factor.compliance(model.programme.A, ledger);
-  }
-  move_freely(model, std::exchange(condensed.free_displacement, {}), condensed);
-  return solve(model, condensed, model.solver, std::exchange(ledger, {}), options);
+/// What supports still have to give.
+NodeArray left_to_give(const Unknowns& unknowns, const Displaced& at) {
+  return (unknowns.number < 0).select((unknowns.held - at.high) - at.low, 0);
 }
 
-/// Places the bodies where a solution has them, or on the way there as far as pairs can be found.
-bool Moving::goes_to(const Solution& solution, std::string& reason) {
-  const Ledger::Phase phase(ledger, "pairs");
-  const NodeArray from = model.standing->displacement;
-  const NodeArray there = expand(model.unknowns, solution.refined.displacement);
-  for (int halved = 0; halved <= model.path.halvings; ++halved) try {
-      ledger.count("searches", 1);
-      place(halved == 0 ? there : from + std::ldexp(1.0, -halved) * (there - from), before, model);
+/// Writes the linear problem of a place. At rest it is that of the scene, bit by bit.
+void Moving::linearise(const Displaced& there) {
+  QuadraticProgramme& programme = model.programme;
+  const NodeArray left = left_to_give(model.unknowns, there);
+  const bool rest = there.high.isZero(0) && there.low.isZero(0);
+  Eigen::SparseMatrix<double> tangent;
+  BodyAnswer answer;
+  if (!rest) answer = bodies.at(model, there, left, bodies.finite() ? &tangent : nullptr);
+  {
+    const Ledger::Phase phase(ledger, "pairs");
+    ledger.count("searches", 1);
+    place(there, before, model);
+  }
+  at = there;
+  if (rest) return;
+  if (bodies.finite()) programme.stiffness.swap(tangent);
+  programme.load = outer - answer.force - answer.ahead;
+  programme.reached = {moved_within(model, at), std::move(answer.terms)};
+}
+
+/// With the factor of the scene as long as that is the one of K.
+Solution Moving::linear_problem() {
+  const bool rest = at_rest();
+  Solution solution;
+  if (rest || !bodies.finite()) {
+    VectorXd free = rest ? std::exchange(condensed.free_displacement, {})
+                         : condensed.factor.solve(model.programme.load);
+    solution =
+        solve_with_one_factor(model, std::move(free), options, condensed, std::move(ledger));
+    const bool flies = held.empty() && solution.contact.unbounded_direction.size() > 0;
+    bounded = false;
+    if (!flies || !rest) return solution;
+    ledger = std::move(solution.ledger);
+  }
+  return solve_with_tangent({model, held, options}, condensed, std::move(ledger), bounded);
+}
+
+/// A share of the way that was found. What supports give is gone to its end exactly.
+Displaced Moving::ahead(const Solution& solution, double share) const {
+  Displaced there = at;
+  const PrimalDual& way = solution.refined;
+  const Unknowns& unknowns = model.unknowns;
+  for (Index node = 0; node < there.high.rows(); ++node)
+    for (const Index axis : {0, 1}) {
+      const Index k = unknowns.number(node, axis);
+      double& high = there.high(node, axis);
+      double& low = there.low(node, axis);
+      if (k >= 0) {
+        add_to(high, low, share * way.displacement(k));
+        if (way.displacement_low.size() > 0) add_to(high, low, share * way.displacement_low(k));
+      } else if (share == 1) {
+        high = unknowns.held(node, axis);
+        low = 0;
+      } else {
+        add_to(high, low, share * ((unknowns.held(node, axis) - high) - low));
+      }
+    }
+  return there;
+}
+
+/// Goes where a solution has the bodies, or on the way there as far as pairs can be found and no cell turns over.
+bool Moving::goes_to(const Solution& solution) {
+  const double way = largest(solution.refined.displacement);
+  const double most = bounded_way * smallest_size(model);
+  double share = bounded && way > most ? most / way : 1;
+  for (int halved = 0; halved <= model.path.halvings; ++halved, share /= 2) try {
+      linearise(ahead(solution, share));
       return true;
     } catch (const ProblemError& error) {
       reason = error.what();
@@ -91,61 +188,109 @@ void read_movements(const VectorXd& movement, ContactState& contact) {
       contact.slip(k) = movement(pairs + k);
 }
 
-/// Whether what was solved holds of the pairs that are found where it leads to. The certificate measures what is out of balance by
-/// loads too, and given displacements that carry a body far are large ones: so the same forces must also push the same way. What
-/// changes there is of first order in the way that is left, and what gaps lack is of second order.
+/// Whether what was solved holds of the equations that are found where it leads to.
 bool Moving::holds_here(Solution& solution, const Linearised& solved) const {
   if (names_of_pairs(model) != solved.names || model.law.pair != solved.law.pair) return false;
-  Certificate here = certify(model.programme, solution.refined, model.law);
-  here.balance = imbalance(model, solution.contact, solution.refined.force);
-  const VectorXd movement = gaps(model.programme, solution.refined);
-  const VectorXd pushes = model.programme.A.transpose() * solution.refined.force;
-  if (!here.holds() || largest(pushes - solved.pushed) > certificate_tolerance * largest(pushes))
-    return false;
+  if (!left_to_give(model.unknowns, at).isZero(0)) return false;
+  const VectorXd& force = solution.refined.force;
+  Certificate here =
+      certify(model.programme, {VectorXd::Zero(model.unknowns.count), {}, force}, model.law);
+  here.balance = imbalance(model, solution.contact, force);
+  if (!here.holds()) return false;
   solution.certificate = here;
-  read_movements(movement, solution.contact);
+  read_movements(model.programme.initial_gap, solution.contact);
   solution.pressure = solution.contact.force.cwiseQuotient(model.pairs.weight);
   return true;
 }
 
+/// From the way of the last iteration to the displacements of the scene, and to a model whose equations these fulfil.
+void Moving::conclude(Solution& solution) const {
+  QuadraticProgramme& programme = model.programme;
+  solution.refined.displacement = restricted(model.unknowns, at.high);
+  solution.refined.displacement_low = restricted(model.unknowns, at.low);
+  solution.refined.rigid = {};
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const BodyModel& body = model.bodies[b];
+    solution.displacements[b] = at.high.middleRows(body.first_node, body.mesh.n_nodes());
+  }
+  count_from_the_scene(at, model);
+  if (bodies.finite())
+    programme.load += stiffness * solution.refined.displacement;
+  else
+    programme.load = load;
+}
+
+/// Leaves to later steps the K of the scene.
+void Moving::give_back() const {
+  model.programme.stiffness = stiffness;
+  model.programme.reached = {};
+}
+
+std::string why_not_ended(const std::string& reason) {
+  if (!reason.empty()) return text("where the bodies come to stand no pairs are found: ", reason);
+  return text("where the bodies come to stand other pairs are found each time, after ",
+              most_iterations,
+              " searches: take shorter steps, and the softer and finer side as the source");
+}
+
+/// Iterations until one holds. \return whether one did
+bool Moving::ends(Solution& solution) {
+  linearise(before);
+  for (int iteration = 1; iteration <= most_iterations; ++iteration) {
+    const Linearised problem{names_of_pairs(model), model.law};
+    solution = linear_problem();
+    ledger = std::move(solution.ledger);
+    if (solution.contact.report.status != SolveStatus::Solved) return false;
+    const bool gone = goes_to(solution);
+    if (gone && holds_here(solution, problem)) return true;
+    if (!gone) break;
+    options.start = handed_on(problem.names, all_statuses(solution.contact), model);
+    held = held_rows(options.start, model.law);
+  }
+  solution.contact.report.status = SolveStatus::IterationLimit;
+  solution.contact.reason = why_not_ended(reason);
+  return false;
+}
+
 Solution Moving::solved() {
   Solution solution;
-  std::string reason;
-  for (int iteration = 1; iteration <= most_iterations; ++iteration) {
-    Linearised problem{names_of_pairs(model), model.law, {}};
-    solution = linear_problem();
-    if (solution.contact.report.status != SolveStatus::Solved) return solution;
-    problem.pushed = model.programme.A.transpose() * solution.refined.force;
-    ledger = std::move(solution.ledger);
-    if (!goes_to(solution, reason)) break;
-    if (holds_here(solution, problem)) {
-      judge_turns(model, solution);
-      solution.ledger = std::move(ledger);
-      return solution;
-    }
-    options.start = handed_on(problem.names, all_statuses(solution.contact), model);
+  if (ends(solution)) {
+    conclude(solution);
+    judge_turns(model, solution);
+    if (solution.contact.report.status == SolveStatus::Solved)
+      judge_solution(model, condensed, solution);
   }
+  give_back();
   solution.ledger = std::move(ledger);
-  solution.contact.report.status = SolveStatus::IterationLimit;
-  solution.contact.reason =
-      reason.empty()
-          ? text("where the bodies come to stand other pairs are found each time, after ",
-                 most_iterations,
-                 " searches: take shorter steps, and the softer and finer "
-                 "side as the source")
-          : text("where the bodies come to stand no pairs are found: ", reason);
   return solution;
+}
+
+/// The certificate of a state whose model stands where the state has it, its gaps counted from the scene.
+Certificate certificate_of(const PrimalDual& claim, Model model) {
+  const Displaced at = displaced(model.unknowns, claim);
+  const NodeArray still = NodeArray::Zero(at.high.rows(), 2);
+  const BodyAnswer answer = BodyAnswers(model).at(model, at, still, nullptr);
+  QuadraticProgramme& programme = model.programme;
+  programme.initial_gap -= programme.A * (claim.displacement + claim.displacement_low);
+  programme.load = outer_forces(model) - answer.force;
+  programme.reached = {moved_within(model, at), answer.terms};
+  return certify(programme, {VectorXd::Zero(claim.displacement.size()), {}, claim.force},
+                 model.law);
 }
 
 }  // namespace
 
-StepLoop moving_step(decltype(StepLoop::place) place) {
+StepLoop moving_step(PlacePairs place) {
   StepLoop loop;
-  loop.place = place;
-  loop.solve = [place = std::move(place)](const NodeArray& before, const SolverOptions& options,
+  loop.place = [place](const Displaced& displacement, const Displaced& before, Model& model) {
+    place(displacement, before, model);
+    count_from_the_scene(displacement, model);
+  };
+  loop.solve = [place = std::move(place)](const Displaced& before, const SolverOptions& options,
                                           Model& model, Condensed& condensed, Ledger ledger) {
     return Moving{place, before, model, condensed, options, std::move(ledger)}.solved();
   };
+  loop.certify = certificate_of;
   return loop;
 }
 

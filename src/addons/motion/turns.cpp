@@ -53,6 +53,7 @@ void judge_turns(const Model& model, Solution& solution) {
   std::size_t of = 0;
   for (std::size_t b = 0; b < model.bodies.size(); ++b)
     for (const MeshPiece& piece : model.bodies[b].pieces) {
+      if (model.bodies[b].material.base.law != nullptr) continue;
       const double turn = mean_turn(model.bodies[b].mesh, piece, solution.displacements[b]);
       if (std::abs(turn) <= std::abs(most)) continue;
       most = turn;

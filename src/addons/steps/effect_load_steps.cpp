@@ -147,7 +147,7 @@ NodeArray nodal_forces(const BodyModel& body, const Loads& loads, const Eigenstr
                        const NodeArray& held) {
   NodeArray forces = nodal_loads(body.mesh, body.element, body.material, loads);
   if (eigenstrain || (held.array() != 0).any()) {
-    MaterialField material = body.material;
+    MaterialField material = at_rest(body.material);
     material.eigenstrain = eigenstrain;
     forces -= internal_forces(body.mesh, body.element, material, held);
   }

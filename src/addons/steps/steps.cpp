@@ -95,9 +95,9 @@ void forget_slip(const VectorXd& slip, Model& model) {
 }
 
 /// Where the nodes of a state are, of a model that has its given displacements.
-NodeArray displacement_of(const PathState& state, const Model& model) {
-  if (state.steps == 0) return NodeArray::Zero(model.unknowns.held.rows(), 2);
-  return expand(model.unknowns, state.solution.displacement);
+Displaced displacement_of(const PathState& state, const Model& model) {
+  if (state.steps == 0) return NodeArray(NodeArray::Zero(model.unknowns.held.rows(), 2));
+  return displaced(model.unknowns, state.solution);
 }
 
 /// Rows of slips by contact and node: where pairs change, what they have slid so far goes on with these.
@@ -168,7 +168,7 @@ PathState after(const PathState& past, double time, const Model& model, const Ve
 void stand(const PathState& state, Model& model) {
   set_time(state.time, model);
   if (!model.loop || state.solution.displacement.size() != model.unknowns.count) return;
-  const NodeArray there = displacement_of(state, model);
+  const Displaced there = displaced(model.unknowns, state.solution);
   model.loop->place(there, there, model);
 }
 
@@ -176,7 +176,9 @@ namespace {
 
 /// Whether a state solves its own step. \param model  with the loads of its time, and slips that count from its last step
 void check_solved(const PathState& state, const Model& model) {
-  const Certificate certificate = certify(model.programme, state.solution, model.law);
+  const Certificate certificate = model.loop
+                                      ? model.loop->certify(state.solution, model)
+                                      : certify(model.programme, state.solution, model.law);
   require_input(
       certificate.holds(), "the state at time ", state.time,
       " is of another scene, or what comes before time ", shortest(state.time),
@@ -269,7 +271,7 @@ VectorXd free_displacement(double time, const Model& model, const CondensedPath&
 Step moved_step(const PathState& past, double time, Model& model, CondensedPath& path,
                 Ledger ledger) {
   set_time(past.time, model);
-  const NodeArray before = displacement_of(past, model);
+  const Displaced before = displacement_of(past, model);
   set_time(time, model);
   model.loop->place(before, before, model);
   check_sizes(past, model);

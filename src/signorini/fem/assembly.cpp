@@ -24,6 +24,7 @@
 
 #include "signorini/core/errors.hpp"
 #include "signorini/fem/eigenstrain.hpp"
+#include "signorini/fem/strain_law.hpp"
 
 namespace signorini {
 namespace {
@@ -185,7 +186,10 @@ NodeArray internal_forces(const Mesh& mesh, const Element& element, const Materi
   NodeArray forces = NodeArray::Zero(mesh.n_nodes(), 2);
   if (material.eigenstrain) forces -= eigenstrain_forces(mesh, element, material);
   visit_cells(mesh, element, material, [&](const Cell& cell) {
-    const CellVector f = cell_stiffness(cell.element, cell.body) * gathered(cell, displacements);
+    const CellVector f =
+        cell.material.law != nullptr
+            ? answer_of(cell, displacements).force
+            : CellVector(cell_stiffness(cell.element, cell.body) * gathered(cell, displacements));
     for (Index k = 0; k < cell.element.n_nodes; ++k)
       forces.row(cell.node(k)) += f.segment<2>(2 * k).transpose();
   });

@@ -142,6 +142,7 @@ struct Element {
   /// Takes from strains at those points what internal modes give way to where nothing moves the nodes; null if there
   /// are no modes. A uniform strain they leave alone.
   void (*relax)(const CellBody& cell, const StrainPoints& points, PointStrains& strains) = nullptr;
+  bool mean_volume = false;  ///< whether B has the change of volume averaged over the cell
 
   /// \return number of corners: 4 if the reference cell is the square, 3 if it is the triangle
   [[nodiscard]] int corners() const { return n_nodes % 3 == 0 ? 3 : 4; }

@@ -26,6 +26,8 @@ enum class PlaneState {
 /// \return "plane stress", "plane strain" or "axial symmetry"
 [[nodiscard]] const char* to_string(PlaneState state);
 
+struct StrainLaw;
+
 /// Isotropic material and the body's extent across the plane.
 struct Material {
   double youngs_modulus = 1;  ///< E [force/length^2], positive
@@ -33,6 +35,7 @@ struct Material {
   PlaneState state = PlaneState::Strain;  ///< what does not happen across the plane
   double thickness = 1;  ///< across the plane [length], positive; 1 in axial symmetry
   double expansion = 0;  ///< alpha, thermal strain per temperature [1/temperature]
+  const StrainLaw* law = nullptr;  ///< see find_strain_law(); null: strains are small
 };
 
 /// How far a body reaches across the plane at a place. Whatever is integrated over the plane, or along a line in it,

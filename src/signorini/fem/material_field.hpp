@@ -42,6 +42,14 @@ struct MaterialField {
 };
 
 /// \param material  of a body
+/// \return the same with small strain, as it answers near rest
+[[nodiscard]] inline MaterialField at_rest(MaterialField material) {
+  material.base.law = nullptr;
+  for (Material& other : material.others) other.law = nullptr;
+  return material;
+}
+
+/// \param material  of a body
 /// \return depth_of() of all its materials
 [[nodiscard]] inline Depth depth_of(const MaterialField& material) {
   return depth_of(material.base);

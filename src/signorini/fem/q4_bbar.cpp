@@ -48,7 +48,10 @@ void averaged_strain(const CellBody& cell, StrainPoints& points) {
 }  // namespace
 
 Element q4_bbar() {
-  return {"q4_bbar", "4 nodes, mean volumetric strain", 4, 1, bilinear_shape, averaged_strain};
+  Element element{"q4_bbar", "4 nodes, mean volumetric strain", 4, 1, bilinear_shape,
+                  averaged_strain};
+  element.mean_volume = true;
+  return element;
 }
 
 }  // namespace signorini

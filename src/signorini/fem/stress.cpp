@@ -24,6 +24,7 @@
 #include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/fem/eigenstrain.hpp"
+#include "signorini/fem/strain_law.hpp"
 
 namespace signorini {
 namespace {
@@ -67,6 +68,10 @@ void visit_stresses(const Mesh& mesh, const Element& element, const MaterialFiel
   PointStrains free;
   PointStress stress;
   visit_strains(mesh, element, material, [&](const Cell& cell, const StrainPoints& points) {
+    if (cell.material.law != nullptr) {
+      visit(cell, points, answer_of(cell, displacements).stress);
+      return;
+    }
     const CellVector u = gathered(cell, displacements);
     stress.resize(points.size, 4);
     if (eigenstrain) free = eigenstrains(cell, points, eigenstrain);
@@ -152,6 +157,10 @@ double strain_energy(const Mesh& mesh, const Element& element, const MaterialFie
                    displacements.rows());
   double energy = 0;
   visit_strains(mesh, element, material, [&](const Cell& cell, const StrainPoints& points) {
+    if (cell.material.law != nullptr) {
+      energy += answer_of(cell, displacements).energy;
+      return;
+    }
     const CellVector u = gathered(cell, displacements);
     with_rows(cell.body.D.rows(), [&](auto n_rows) {
       for (int i = 0; i < points.size; ++i) {

@@ -101,6 +101,10 @@ struct ClaimResiduals {
 /// phi takes its place in the length. Without loads, contact forces below what u in two doubles resolves are measured by
 /// \f$ \max_j K_{jj}|u_j| \f$. Of each of the unconnected_systems() all this is taken by itself, and the worst figures count.
 ///
+/// Where u counts from a place that was reached, \f$ \hat u \f$ with internal forces whose magnitudes sum to t, what is left of
+/// the loads there is small: \f$ |u_j| \f$ becomes \f$ |u_j| + |\hat u_j| \f$ in the length, \f$ o_j \f$ gets \f$ t_j \f$ as well, and the
+/// equilibrium is measured by \f$ \max(\varphi, |t|_\infty) \f$, see QuadraticProgramme::reached.
+///
 /// The equilibrium is measured against the loads and not against |K||u|, which is far larger in a slender body: with u in plain
 /// doubles it cannot be better than about 1e-16 |K||u| / |p|, whatever the solver; `displacement_low` removes this floor.
 /// \param programme  K, p, A, g as they were posed

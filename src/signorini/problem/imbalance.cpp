@@ -52,6 +52,7 @@ VectorXd own_forces(const QuadraticProgramme& programme, const PrimalDual& solut
                     bool equations) {
   const VectorXd root = programme.stiffness.diagonal().cwiseMax(0.0).cwiseSqrt();
   VectorXd own = programme.load.cwiseAbs();
+  if (programme.reached.terms.size() > 0) own += programme.reached.terms;
   for (Index row = 0; row < programme.A.rows(); ++row)
     for (RowMatrix::InnerIterator entry(programme.A, row); entry; ++entry)
       own(entry.col()) += std::abs(entry.value() * solution.force(row));

@@ -10,6 +10,13 @@
 
 namespace signorini {
 
+/// What had happened until a place that the unknowns of a programme count from, where that is not rest: how large the numbers
+/// are whose small remainder the programme is about. Certificates measure by it.
+struct Reached {
+  Eigen::VectorXd displacement;  ///< `n` how far the unknowns had moved [length]; empty: they count from rest
+  Eigen::VectorXd terms;  ///< `n` magnitudes of internal forces there, which p has less, summed [force]
+};
+
 /// Least potential energy without penetration, \PaperEq{XuanLi2002, 9} and \PaperEq{XuanLi2002, 10}
 /// on a mesh: \PaperEq{XuanLi2002, 11}, \PaperEq{XuanLi2002, 12}
 ///
@@ -19,6 +26,7 @@ struct QuadraticProgramme {
   Eigen::VectorXd load;                            ///< p `n` [force]
   Eigen::SparseMatrix<double, Eigen::RowMajor> A;  ///< `n_c x n`: gap = initial_gap - A u [-]
   Eigen::VectorXd initial_gap;                     ///< g `n_c` [length], overlap < 0
+  Reached reached = {};                            ///< where u counts from
 };
 
 /// Which pairs have friction, and how much: \PaperEq{LinEtAl, 6}. Without friction all three are empty.

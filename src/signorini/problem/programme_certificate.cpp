@@ -116,9 +116,12 @@ Certificate certificate_of(const QuadraticProgramme& programme, const PrimalDual
   if (solution.displacement_low.size() > 0) u += solution.displacement_low;
   ClaimResiduals left{solution.force, movement, (norm.array() == 0).select(1.0, norm)};
   left.force_size = force_size(programme, contact, u);
+  const Reached& reached = programme.reached;
+  if (reached.displacement.size() > 0) u = u.cwiseAbs() + reached.displacement.cwiseAbs();
   left.length = length_of(programme, contact, u, left.unit);
-  left.equilibrium = std::max(ratio(largest(imbalance), left.force_size),
-                              own_imbalance(programme, solution, imbalance, equations));
+  left.equilibrium =
+      std::max(ratio(largest(imbalance), std::max(left.force_size, largest(reached.terms))),
+               own_imbalance(programme, solution, imbalance, equations));
   left.free = programme.initial_gap;
   left.load =
       programme.load - programme.A.bottomRows(slips).transpose() * solution.force.tail(slips);

@@ -178,6 +178,9 @@ QuadraticProgramme part_of(const QuadraticProgramme& programme, const SystemPart
   part.A.setFromTriplets(entries.begin(), entries.end());
   part.load = programme.load(parts.unknowns);
   part.initial_gap = programme.initial_gap(parts.rows);
+  if (programme.reached.displacement.size() > 0)
+    part.reached = {programme.reached.displacement(parts.unknowns),
+                    programme.reached.terms(parts.unknowns)};
   return part;
 }
 

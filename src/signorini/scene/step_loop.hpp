@@ -3,22 +3,42 @@
 /// How a load step is solved that is no linear problem: what an effect hands to the plan, and the add-on steps calls.
 #pragma once
 #include <functional>
+#include <utility>
 
 #include "signorini/scene/solution.hpp"
 
 namespace signorini {
 
-/// A step whose pairs depend on where the bodies are.
+/// Displacements of all nodes in two doubles: of a body that is carried far, one would round its strains away.
+struct Displaced {
+  /// \param all  `n_nodes x 2` [length], exact
+  Displaced(NodeArray all) : high(std::move(all)), low(NodeArray::Zero(high.rows(), 2)) {}
+  /// \param leading  `n_nodes x 2` [length] \param rest  `n_nodes x 2` what that lacks [length]
+  Displaced(NodeArray leading, NodeArray rest) : high(std::move(leading)), low(std::move(rest)) {}
+
+  NodeArray high;  ///< `n_nodes x 2` rounded to double [length]
+  NodeArray low;   ///< `n_nodes x 2` what rounding took [length]
+};
+
+/// A step whose pairs, or forces, depend on where the bodies are.
 struct StepLoop {
   /// Finds the pairs of a model anew and writes `pairs`, `law`, A and g, linear about there in all that the bodies have moved
   /// from the scene. Throws ProblemError if that cannot be, and then leaves the model as it was.
-  std::function<void(const NodeArray& displacement, const NodeArray& before, Model& model)> place;
-  /// Solves a step of a model that has its loads and is placed where the step before ended, at `before`, `n_nodes x 2`. It
+  std::function<void(const Displaced& displacement, const Displaced& before, Model& model)> place;
+  /// Solves a step of a model that has its loads and is placed where the step before ended, at `before`. It
   /// is then placed where the solution is, which is certified there. `condensed` has the factor and the free
   /// displacements; its compliance, gaps and law become those of the last iteration.
-  std::function<Solution(const NodeArray& before, const SolverOptions& options, Model& model,
+  std::function<Solution(const Displaced& before, const SolverOptions& options, Model& model,
                          Condensed& condensed, Ledger ledger)>
       solve;
+  /// The certificate of a claim, with u from the scene, of a model that has its loads and is placed there. \return of the equations at that place, not
+  /// of linear ones
+  std::function<Certificate(const PrimalDual& claim, const Model& model)> certify;
 };
+
+/// \param unknowns  `n` of all bodies, with what supports give
+/// \param solution  u in two parts
+/// \return displacements of all nodes
+[[nodiscard]] Displaced displaced(const Unknowns& unknowns, const PrimalDual& solution);
 
 }  // namespace signorini

@@ -1,0 +1,145 @@
+// # What bodies answer
+//
+// A step of bodies that move asks for forces at a place that may be far from the scene, and wants the last digit of them. Two
+// things take digits away. Carried by 1e4 of its sizes, a body has displacements of 1e4 whose differences, 1e-3, are all that
+// counts: a product with K would leave 1e-9 of them. So each cell is asked for itself, with displacements less those of its
+// first node. And the displacements are sums of two doubles, or the strain of 1e-3 would be rounded by 1e-12.
+//
+// In axial symmetry a shift along the radius strains the body, and is not taken out.
+
+#include "addons/motion/body_answers.hpp"
+
+#include <algorithm>
+
+#include "signorini/core/rounding.hpp"
+#include "signorini/fem/eigenstrain.hpp"
+#include "signorini/fem/strain_law.hpp"
+#include "signorini/scene/bodies.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+/// Displacements of a cell less the shift of its first node.
+CellVector less_shift(const Cell& cell, Index first_node, const Displaced& at) {
+  CellVector u(2 * cell.element.n_nodes);
+  const Index base = first_node + cell.node(0);
+  for (Index k = 0; k < cell.element.n_nodes; ++k) {
+    const Index node = first_node + cell.node(k);
+    for (const Index axis : {0, 1}) {
+      const bool strains = axis == 0 && cell.body.depth.axial;
+      u(2 * k + axis) =
+          (at.high(node, axis) - (strains ? 0 : at.high(base, axis))) +
+          (at.low(node, axis) - (strains ? 0 : at.low(base, axis)));
+    }
+  }
+  return u;
+}
+
+/// One cell among the unknowns of all bodies.
+struct Numbers {
+  const Unknowns& unknowns;
+  Index first_node;
+  const Cell& cell;
+
+  [[nodiscard]] Index node(Index k) const { return first_node + cell.node(k / 2); }
+  [[nodiscard]] Index unknown(Index k) const { return unknowns.number(node(k), k % 2); }
+};
+
+/// The largest displacement of a cell. A double of it is rounded by epsilon of it.
+double farthest(const Numbers& numbers, const NodeArray& high) {
+  double most = 0;
+  for (Index k = 0; k < numbers.cell.element.n_nodes; ++k)
+    most = std::max(most, high.row(numbers.node(2 * k)).cwiseAbs().maxCoeff());
+  return most;
+}
+
+/// Adds what the held components of a cell will push.
+void add_ahead(const Numbers& numbers, const CellMatrix& K, const NodeArray& going_on,
+               VectorXd& ahead) {
+  for (Index j = 0; j < K.cols(); ++j) {
+    if (numbers.unknown(j) >= 0) continue;
+    const double moves = going_on(numbers.node(j), j % 2);
+    if (moves == 0) continue;
+    for (Index i = 0; i < K.rows(); ++i)
+      if (const Index row = numbers.unknown(i); row >= 0) ahead(row) += K(i, j) * moves;
+  }
+}
+
+void add_difference(const Numbers& numbers, const CellMatrix& K,
+                    Eigen::SparseMatrix<double>& all) {
+  for (Index j = 0; j < K.cols(); ++j)
+    for (Index i = 0; i < K.rows() && numbers.unknown(j) >= 0; ++i)
+      if (numbers.unknown(i) >= 0) all.coeffRef(numbers.unknown(i), numbers.unknown(j)) += K(i, j);
+}
+
+}  // namespace
+
+BodyAnswers::BodyAnswers(const Model& model) : stiffness_(model.programme.stiffness) {
+  for (const BodyModel& body : model.bodies) {
+    std::vector<CellMatrix>& own = cells_.emplace_back();
+    own.reserve(static_cast<std::size_t>(body.mesh.n_cells()));
+    visit_cells(body.mesh, body.element, body.material, [&](const Cell& cell) {
+      own.push_back(cell_stiffness(cell.element, cell.body));
+      finite_ = finite_ || cell.material.law != nullptr;
+    });
+  }
+}
+
+BodyAnswer BodyAnswers::at(const Model& model, const Displaced& at, const NodeArray& going_on,
+                           Eigen::SparseMatrix<double>* tangent) const {
+  const Index n = model.unknowns.count;
+  BodyAnswer all{VectorXd::Zero(n), VectorXd::Zero(n), VectorXd::Zero(n)};
+  if (tangent != nullptr) *tangent = stiffness_;
+  CellAnswer answer;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const BodyModel& body = model.bodies[b];
+    visit_cells(body.mesh, body.element, body.material, [&](const Cell& cell) {
+      const CellMatrix& before = cells_[b][static_cast<std::size_t>(cell.number)];
+      const CellVector u = less_shift(cell, body.first_node, at);
+      const Numbers numbers{model.unknowns, body.first_node, cell};
+      if (cell.material.law != nullptr) {
+        cell.material.law->answer(cell, u, answer);
+        if (tangent != nullptr) add_difference(numbers, answer.tangent - before, *tangent);
+      } else {
+        answer.force = before * u;
+      }
+      add_ahead(numbers, cell.material.law != nullptr ? answer.tangent : before, going_on,
+                all.ahead);
+      const double size = answer.force.cwiseAbs().maxCoeff() +
+                          epsilon * before.diagonal().maxCoeff() * farthest(numbers, at.high);
+      for (Index k = 0; k < answer.force.size(); ++k)
+        if (const Index row = numbers.unknown(k); row >= 0) {
+          all.force(row) += answer.force(k);
+          all.terms(row) += size;
+        }
+    });
+    if (body.springs.rows() == 0) continue;
+    const auto add = [&](const NodeArray& nodes, VectorXd& sum) {
+      NodeArray pulled(body.mesh.n_nodes(), 2);
+      const NodeArray own = nodes.middleRows(body.first_node, body.mesh.n_nodes());
+      Eigen::Map<VectorXd>(pulled.data(), pulled.size()) =
+          body.springs * Eigen::Map<const VectorXd>(own.data(), own.size());
+      add_nodal_forces(body, pulled, sum);
+    };
+    add(at.high, all.force);
+    add(at.high.cwiseAbs(), all.terms);
+    add(going_on, all.ahead);
+  }
+  return all;
+}
+
+VectorXd outer_forces(const Model& model) {
+  VectorXd load = VectorXd::Zero(model.unknowns.count);
+  for (const BodyModel& body : model.bodies) {
+    NodeArray nodal = nodal_loads(body.mesh, body.element, body.material, body.loads);
+    if (body.material.eigenstrain)
+      nodal += eigenstrain_forces(body.mesh, body.element, body.material);
+    add_nodal_forces(body, nodal, load);
+  }
+  return load;
+}
+
+}  // namespace signorini

@@ -1,0 +1,52 @@
+// This header is internal: chapters do not include it, and it is not installed.
+/// \file
+/// What the bodies of a model answer to displacements: internal forces, and the tangent of those with a law.
+#pragma once
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+#include <vector>
+
+#include "signorini/scene/step_loop.hpp"
+
+namespace signorini {
+
+/// What the bodies of a model answer at a place.
+struct BodyAnswer {
+  Eigen::VectorXd force;  ///< `n` internal forces on the unknowns, springs too [force]
+  /// `n` how large they are that cancel: of all cells of an unknown the largest internal force, and what the last digit of
+  /// displacements would make, summed [force]
+  Eigen::VectorXd terms;
+  Eigen::VectorXd ahead;  ///< `n` what the supports will add when they go on [force]
+};
+
+/// The bodies of a model, cell by cell. Cells of small strain answer with their stiffness, which is computed once; forces are
+/// taken from displacements less those of the first node of a cell, in two doubles: a body that is carried far keeps the
+/// digits of its strain.
+class BodyAnswers {
+ public:
+  /// \param model  from build(), with the K of its bodies before strain; is not referred to later
+  explicit BodyAnswers(const Model& model);
+
+  /// \param model      the same
+  /// \param at         where its bodies are
+  /// \param going_on   `n_nodes x 2` what supports move until the end of the step, 0 elsewhere [length]
+  /// \param[out] tangent  if not null: K of the model with the tangents of cells that have a law
+  /// \return forces
+  /// \throws ProblemError if a cell turns over
+  [[nodiscard]] BodyAnswer at(const Model& model, const Displaced& at, const NodeArray& going_on,
+                              Eigen::SparseMatrix<double>* tangent) const;
+
+  /// \return whether any cell has a law, so that K changes
+  [[nodiscard]] bool finite() const { return finite_; }
+
+ private:
+  std::vector<std::vector<CellMatrix>> cells_;  // K of each cell of each body before strain
+  Eigen::SparseMatrix<double> stiffness_;       // K before strain
+  bool finite_ = false;
+};
+
+/// \param model  with loads of its time
+/// \return `n` its loads on the unknowns, of temperatures too, not what supports cause [force]
+[[nodiscard]] Eigen::VectorXd outer_forces(const Model& model);
+
+}  // namespace signorini

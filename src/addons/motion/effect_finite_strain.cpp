@@ -1,0 +1,57 @@
+// Finite strain: bodies whose material has a law, step by step, with pairs where they have moved to.
+#include <algorithm>
+
+#include "addons/motion/finite_strain.hpp"
+#include "addons/motion/moved_scene.hpp"
+#include "addons/motion/register.hpp"
+#include "signorini/core/errors.hpp"
+#include "signorini/fem/elements.hpp"
+#include "signorini/scene/effects.hpp"
+
+namespace signorini {
+namespace {
+
+bool has_law(const Body& body) {
+  return body.material.law != nullptr ||
+         std::any_of(body.layers.begin(), body.layers.end(),
+                     [](const Layer& layer) { return layer.material.law != nullptr; });
+}
+
+/// An element that a law can be asked in. Internal modes of a cell in compression find hourglasses that resist nothing.
+void choose_element(const Body& body, BodyModel& planned) {
+  const std::string what =
+      text("body '", planned.mesh.name, "' with the law ", planned.material.base.law->name);
+  if (planned.element.relax != nullptr && body.element.empty())
+    planned.element = q4_bbar();
+  require_input(planned.element.relax == nullptr, what, ": ", planned.element.name,
+                " bends into hourglasses when it is pressed; take q4_bbar, q4 or q8");
+  require_input(!planned.material.eigenstrain, what,
+                ": a temperature strains it a little only; leave the law out, or the temperature");
+}
+
+void declare_finite_strain(const Scene& scene, Plan& draft) {
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    if (!has_law(scene.bodies[b])) continue;
+    choose_element(scene.bodies[b], draft.bodies[b]);
+    draft.on.push_back(text("finite strain of '", draft.bodies[b].mesh.name, "', ",
+                            draft.bodies[b].element.name, ": ",
+                            draft.bodies[b].material.base.law->name,
+                            ", about 5 tangents a step, each with a factor"));
+  }
+  move_pairs(scene, "finite strain (a material with a law)", draft);
+}
+
+}  // namespace
+
+void register_finite_strain() {
+  add_strain_law(st_venant_kirchhoff());
+  add_strain_law(neo_hooke());
+  add_effect({"finite strain",
+              [](const Scene& scene, const Plan& /*draft*/) {
+                return std::any_of(scene.bodies.begin(), scene.bodies.end(), has_law);
+              },
+              declare_finite_strain, nullptr},
+             "load steps");
+}
+
+}  // namespace signorini

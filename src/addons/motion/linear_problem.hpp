@@ -1,0 +1,37 @@
+// This header is internal: chapters do not include it, and it is not installed.
+/// \file
+/// The linearised contact problem of an iteration, and what is tried if its tangent has no factor.
+#pragma once
+#include <vector>
+
+#include "signorini/scene/solution.hpp"
+
+namespace signorini {
+
+/// Solves the linear problem of a model whose K does not change: with the factor that `condensed` has.
+/// \param model      placed, with p of the iteration
+/// \param free       K^-1 p `n` [length]
+/// \param options    for the solver
+/// \param condensed  gets the compliance of the rows of the model
+/// \param ledger     goes on in the solution
+/// \return the solution in the way d from the place
+[[nodiscard]] Solution solve_with_one_factor(const Model& model, Eigen::VectorXd free,
+                                             const SolverOptions& options, Condensed& condensed,
+                                             Ledger ledger);
+
+/// The same with a tangent of its own, which may be indefinite.
+struct TangentProblem {
+  Model& model;  ///< placed, with K and p of the iteration; K and p come back changed
+  const std::vector<Eigen::Index>& held;  ///< rows that held last, see held_rows()
+  const SolverOptions& options;           ///< for the solver
+};
+
+/// \param problem    of an iteration
+/// \param condensed  becomes that of K
+/// \param ledger     goes on in the solution
+/// \param[out] bounded  whether only a spring held a body, so that the way d should be taken in small parts
+/// \return the solution in the way d; if no K has a factor, Breakdown with the reason
+[[nodiscard]] Solution solve_with_tangent(const TangentProblem& problem, Condensed& condensed,
+                                          Ledger ledger, bool& bounded);
+
+}  // namespace signorini

@@ -1,0 +1,58 @@
+#include "addons/motion/moved_scene.hpp"
+
+#include <memory>
+#include <utility>
+
+#include "addons/motion/moved_pairs.hpp"
+#include "addons/motion/moving_step.hpp"
+#include "signorini/core/errors.hpp"
+#include "signorini/scene/bodies.hpp"
+
+namespace signorini {
+namespace {
+
+/// A contact whose pairs can be found where bodies have moved to. Node to segment fails as nodes pass the corners of sides,
+/// where its normals jump; a gap that was changed in the mesh is not the one that is found anew.
+void check_contact(const ContactSpec& contact, const std::string& moves, const Plan& draft) {
+  const std::string what = describe(draft.bodies, contact);
+  if (std::holds_alternative<Side>(contact.target))
+    require_input(contact.gap_operator == "mortar" && contact.quadrature == Quadrature::Segments,
+                  what, ": where ", moves, ", gaps must not jump as nodes pass from side to side: ",
+                  "take operator = \"mortar\" with quadrature = \"segments\"");
+  require_input(contact.interference.value_or(0) == 0 && contact.adjust.value_or(0) == 0, what,
+                ": where ", moves,
+                ", gaps are those of the meshes: draw interference or adjusted "
+                "gaps into them");
+  require_input(!contact.small_sliding, what, ": where ", moves,
+                ", no sliding is too far: leave small_sliding out");
+}
+
+/// What the loop needs of a scene when it finds pairs anew: no meshes and no loads.
+std::shared_ptr<const Scene> contacts_of(const Scene& scene) {
+  auto some = std::make_shared<Scene>();
+  some->contacts = scene.contacts;
+  some->solver = scene.solver;
+  some->bodies.clear();
+  for (const Body& body : scene.bodies) {
+    some->bodies.emplace_back();
+    some->bodies.back().supports = body.supports;
+  }
+  return some;
+}
+
+}  // namespace
+
+void move_pairs(const Scene& scene, const std::string& why, Plan& draft) {
+  require_input(scene.path.has_value(), why,
+                ": it does so in load steps, even if it is one: add [[steps]] with until = 1 and "
+                "count = 1 or more");
+  for (const ContactSpec& contact : scene.contacts) check_contact(contact, why, draft);
+  draft.followed.reset();
+  draft.loop = std::make_shared<const StepLoop>(
+      moving_step([contacts = contacts_of(scene)](const Displaced& displacement,
+                                                  const Displaced& before, Model& model) {
+        place_bodies(*contacts, displacement, before, model);
+      }));
+}
+
+}  // namespace signorini
