@@ -1,11 +1,15 @@
 // Finite strain of cells and bodies: derivatives, closed forms, turns, and small strain as their limit.
 #include <cmath>
+#include <sstream>
 
 #include "addons/motion/finite_strain.hpp"
 #include "addons/steps/steps.hpp"
 #include "catch_compat.hpp"
 #include "signorini/fem/elements.hpp"
 #include "signorini/fem/stress.hpp"
+#include "signorini/problem/residual.hpp"
+#include "signorini/scene/readings.hpp"
+#include "signorini/scene/step_loop.hpp"
 #include "support/meshes.hpp"
 #include "support/message.hpp"
 #include "support/moving_blocks.hpp"
@@ -184,4 +188,156 @@ TEST_CASE("as loads shrink finite strain becomes small strain, by the strain", "
           last = difference;
         }
       }
+}
+
+namespace {
+
+/// A block that is pressed on a base and dragged with friction, both of a law, then both are carried away.
+Scene rubbing(const char* law, double carried, const char* element = "q4",
+              PlaneState state = PlaneState::Strain) {
+  MovingBlocks of;
+  of.press = std::string(law) == "small" ? 0.005 : 0.05;  // that turns less than is refused
+  of.drag = 0.4;
+  of.steps = 2;
+  of.base_cells = 12;
+  of.state = state;
+  of.order = order_of(find_element(element));
+  Scene scene = moving_blocks(of);
+  for (Body& body : scene.bodies) {
+    body.mesh = fitting(body.mesh, find_element(element));
+    body.element = element;
+    body.material.law = find_strain_law(law);
+  }
+  if (carried == 0) return scene;
+  // The drag goes on while the base follows.
+  scene.bodies[0].supports = {prescribed("bottom", Axis::X, carried),
+                              prescribed("bottom", Axis::Y, 0)};
+  scene.bodies[0].supports[0].history = "away";
+  scene.path->times.push_back(3);
+  scene.path->histories[1].times.push_back(3);
+  scene.path->histories[1].values.push_back(1 + carried / of.drag);
+  scene.path->histories.push_back({"away", {2, 3}, {0, 1}});
+  return scene;
+}
+
+/// Displacements of a place that everything has turned from by 90 degrees, and moved; exact, as sums of two doubles.
+Displaced turned(const NodeArray& nodes, const Displaced& moved) {
+  using Exact = Eigen::Matrix<long double, Eigen::Dynamic, 2>;
+  const Exact x = nodes.cast<long double>();
+  const Exact from = x + moved.high.cast<long double>() + moved.low.cast<long double>();
+  Exact to(from.rows(), 2);
+  to << (3 - from.col(1).array()).matrix(), (from.col(0).array() - 2).matrix();
+  to -= x;
+  const NodeArray high = to.cast<double>();
+  return {high, (to - high.cast<long double>()).cast<double>()};
+}
+
+}  // namespace
+
+// Small strain fails here: it takes the turn for a strain of 1.
+TEST_CASE("turned by 90 degrees, bodies that are pressed and sheared have the same forces, gaps and slips",
+          "[motion]") {
+  for (const char* law : {"st_venant_kirchhoff", "neo_hooke", "small"})
+    for (const char* element : {"q4", "q4_bbar", "q8", "t6"}) {
+      CAPTURE(law, element);
+      const Scene scene = rubbing(law, 0, element);
+      const Walked run = walked(scene);
+      INFO(run.end.reason);
+      REQUIRE(run.end.status == SolveStatus::Solved);
+      const PrimalDual& last = run.end.state.solution;
+      Ledger ledger;
+      Model model = build(scene, ledger);
+      set_time(2, model);
+      NodeArray nodes(model.unknowns.held.rows(), 2);
+      nodes << model.bodies[0].mesh.nodes, model.bodies[1].mesh.nodes;
+      const Displaced at = displaced(model.unknowns, last);
+      model.loop->place(at, at, model);
+      const VectorXd gaps = signorini::gaps(model.programme, last);
+      CHECK(model.loop->certify(last, model).worst() <= 1e-12);
+      const Displaced there = turned(nodes, at);
+      model.unknowns.held = (model.unknowns.number < 0).select(there.high, 0);  // but for 1e-16
+      model.loop->place(there, at, model);
+      PrimalDual claim = last;
+      claim.displacement = restricted(model.unknowns, there.high);
+      claim.displacement_low = restricted(model.unknowns, there.low);
+      const VectorXd now = signorini::gaps(model.programme, claim);
+      REQUIRE(now.size() == gaps.size());
+      CHECK((now - gaps).cwiseAbs().maxCoeff() <= 1e-14);  // slips are the last rows: none since then
+      const double worst = model.loop->certify(claim, model).worst();
+      INFO("1e12 of " << 1e12 * worst);
+      if (std::string(law) == "small")
+        CHECK(worst > 0.1);
+      else
+        CHECK(worst <= 1e-12);
+    }
+}
+
+TEST_CASE("bodies that are carried 1e4 of their sizes keep their forces",
+          "[motion]") {
+  for (const char* law : {"neo_hooke", "small"}) {
+    CAPTURE(law);
+    const Walked run = walked(rubbing(law, 1e4));
+    INFO(run.end.reason);
+    REQUIRE(run.end.status == SolveStatus::Solved);
+    REQUIRE(run.steps.size() == 4);
+    const VectorXd& still = run.steps[2].state.solution.force;
+    const VectorXd& far = run.steps[3].state.solution.force;
+    REQUIRE(far.size() == still.size());
+    CHECK(run.steps[3].solution.certificate.worst() <= 1e-12);
+    // Of each of the two, a certificate lets 1e-12 of forces pass; a block has five times as stiff a mode as its softest.
+    CHECK((far - still).cwiseAbs().maxCoeff() <= 5e-12 * still.cwiseAbs().maxCoeff());
+  }
+}
+
+TEST_CASE("a path of finite strain goes on from a state to the same bits", "[motion]") {
+  const Scene scene = rubbing("neo_hooke", 0);
+  const Walked run = walked(scene);
+  REQUIRE(run.steps.size() == 3);
+  std::ostringstream out;
+  write_state(run.steps[1].state, out);
+  std::vector<PathState> again;
+  const PathEnd end = solve_steps(
+      scene, [&](const Model&, const Step& step) { again.push_back(step.state); },
+      read_state(out.str(), "saved"));
+  REQUIRE(end.status == SolveStatus::Solved);
+  REQUIRE(again.size() == 1);
+  const PathState& last = run.steps[2].state;
+  CHECK(again[0].solution.displacement == last.solution.displacement);
+  CHECK(again[0].solution.displacement_low == last.solution.displacement_low);
+  CHECK(again[0].solution.force == last.solution.force);
+  CHECK(again[0].slip == last.slip);
+  CHECK_THAT(problem_message([&] {
+               static_cast<void>(
+                   solve_steps(rubbing("st_venant_kirchhoff", 0), {}, read_state(out.str(), "saved")));
+             }),
+             ContainsSubstring("is of another scene"));
+}
+
+TEST_CASE("what a law cannot have is refused with the way out", "[motion]") {
+  const auto message = [](const auto& change) {
+    Scene scene = rubbing("neo_hooke", 0);
+    change(scene);
+    return problem_message([&] { static_cast<void>(plan(scene)); });
+  };
+  CHECK(message([](Scene&) {}).empty());
+  CHECK_THAT(message([](Scene& s) { s.bodies[0].element = "q4_incompatible"; }),
+             ContainsSubstring("hourglasses") && ContainsSubstring("q4_bbar"));
+  CHECK_THAT(message([](Scene& s) {
+               for (Body& body : s.bodies)
+                 for (Support& support : body.supports) support.history = "";
+               s.path.reset();
+             }),
+             ContainsSubstring("[[steps]]"));
+  CHECK_THAT(message([](Scene& s) {
+               s.bodies[0].material.expansion = 1e-5;
+               s.bodies[0].temperature = Temperature{10, {0, 0}};
+             }),
+             ContainsSubstring("temperature"));
+  CHECK_THAT(problem_message([] { static_cast<void>(find_strain_law("neohooke")); }),
+             ContainsSubstring("did you mean") && ContainsSubstring("neo_hooke"));
+  // The usual element of quadrilaterals has internal modes: another one is taken, and told.
+  Scene scene = rubbing("neo_hooke", 0);
+  for (Body& body : scene.bodies) body.element.clear();
+  const Plan draft = plan(scene);
+  CHECK(std::string(draft.bodies[0].element.name) == "q4_bbar");
 }

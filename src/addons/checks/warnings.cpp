@@ -165,6 +165,7 @@ std::pair<Most, Most> deformation(const Model& model, const Solution& solution) 
   Most rotation;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const BodyModel& body = model.bodies[b];
+    if (body.material.base.law != nullptr) continue;
     for (Index cell = 0; cell < body.mesh.n_cells(); ++cell) {
       const Eigen::Matrix2d G = mean_gradient(body.mesh, solution.displacements[b], cell);
       const double half = (G(0, 0) - G(1, 1)) / 2;
@@ -179,16 +180,21 @@ std::pair<Most, Most> deformation(const Model& model, const Solution& solution) 
   return {strain, rotation};
 }
 
-/// Young's modulus of the softest cell around every node of all bodies.
+/// Young's modulus as far as its material takes strains for small.
+double small_modulus(const Material& material) {
+  return material.law == nullptr ? material.youngs_modulus : std::numeric_limits<double>::infinity();
+}
+
+/// That of the softest cell around every node of all bodies.
 Eigen::VectorXd softest_around(const std::vector<BodyModel>& bodies) {
   Eigen::VectorXd softest(count_nodes(bodies));
   for (const BodyModel& body : bodies) {
     const MaterialField& material = body.material;
     auto own = softest.segment(body.first_node, body.mesh.n_nodes());
-    own.setConstant(material.others.empty() ? material.base.youngs_modulus
+    own.setConstant(material.others.empty() ? small_modulus(material.base)
                                             : std::numeric_limits<double>::infinity());
     for (Index cell = 0; cell < static_cast<Index>(material.number_of.size()); ++cell) {
-      const double modulus = material.of(cell).youngs_modulus;
+      const double modulus = small_modulus(material.of(cell));
       for (Index k = 0; k < body.mesh.cell_size(cell); ++k) {
         double& at_node = own(body.mesh.cells(cell, k));
         at_node = std::min(at_node, modulus);
@@ -236,7 +242,8 @@ std::string exceeded(const Model& model, const Solution& solution, const SmallLi
               absurd ? "So much comes of units mostly: compare those of lengths, loads and Young's "
                        "modulus"
                      : "The numbers are those of the linear problem, but a body would do something "
-                       "else: take a smaller load, or the numbers for a first guess");
+                       "else: give it a law of finite strain (law = \"neo_hooke\", with [[steps]]), "
+                       "take a smaller load, or the numbers for a first guess");
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "signorini/core/rounding.hpp"
 #include "signorini/fem/eigenstrain.hpp"
 #include "signorini/fem/strain_law.hpp"
+#include "signorini/problem/certificate.hpp"
 #include "signorini/scene/bodies.hpp"
 
 namespace signorini {
@@ -48,7 +49,11 @@ struct Numbers {
   [[nodiscard]] Index unknown(Index k) const { return unknowns.number(node(k), k % 2); }
 };
 
-/// The largest displacement of a cell. A double of it is rounded by epsilon of it.
+/// What rounding may have done to the displacements of a cell: a cell that has turned strains by what little its terms leave.
+/// \param within  the largest displacement beside its first node \param whole  the largest, in two doubles
+double rounding(double within, double whole) { return 4 * epsilon * (within + epsilon * whole); }
+
+/// The largest displacement of a cell.
 double farthest(const Numbers& numbers, const NodeArray& high) {
   double most = 0;
   for (Index k = 0; k < numbers.cell.element.n_nodes; ++k)
@@ -109,7 +114,9 @@ BodyAnswer BodyAnswers::at(const Model& model, const Displaced& at, const NodeAr
       add_ahead(numbers, cell.material.law != nullptr ? answer.tangent : before, going_on,
                 all.ahead);
       const double size = answer.force.cwiseAbs().maxCoeff() +
-                          epsilon * before.diagonal().maxCoeff() * farthest(numbers, at.high);
+                          before.diagonal().maxCoeff() *
+                              rounding(u.cwiseAbs().maxCoeff(), farthest(numbers, at.high)) /
+                              certificate_tolerance;
       for (Index k = 0; k < answer.force.size(); ++k)
         if (const Index row = numbers.unknown(k); row >= 0) {
           all.force(row) += answer.force(k);

@@ -13,8 +13,8 @@ namespace signorini {
 /// What the bodies of a model answer at a place.
 struct BodyAnswer {
   Eigen::VectorXd force;  ///< `n` internal forces on the unknowns, springs too [force]
-  /// `n` how large they are that cancel: of all cells of an unknown the largest internal force, and what the last digit of
-  /// displacements would make, summed [force]
+  /// `n` how large they are that cancel: of all cells of an unknown the largest internal force, and a force whose
+  /// certificate_tolerance is what rounding makes of their displacements, summed [force]
   Eigen::VectorXd terms;
   Eigen::VectorXd ahead;  ///< `n` what the supports will add when they go on [force]
 };

@@ -68,11 +68,27 @@ struct Places {
   NodeArray rest;
 };
 
-Places places(const NodeArray& X, const Displaced& u) {
-  Places there{X + u.high, {}};
-  const NodeArray part = there.rounded - X;
-  there.rest = ((X - (there.rounded - part)) + (u.high - part)) + u.low;
+/// a + b rounded, and what that lacks.
+Places sum(const NodeArray& a, const NodeArray& b) {
+  const NodeArray rounded = a + b;
+  const NodeArray part = rounded - a;
+  return {rounded, (a - (rounded - part)) + (b - part)};
+}
+
+/// \param carried  what all bodies are shifted by, and left out
+Places places(const NodeArray& X, const Displaced& u, const Eigen::RowVector2d& carried) {
+  const Places left = sum(u.high, -carried.replicate(u.high.rows(), 1));
+  Places there = sum(X, left.rounded);
+  there.rest += left.rest + u.low;
   return there;
+}
+
+/// By how much all bodies are carried. If they all are, gaps and normals are found where they would be without that, or the
+/// last digits of far places would be those of normals. An obstacle stays where it is, and so do they then.
+Eigen::RowVector2d carrier(const Scene& scene, const Displaced& displacement) {
+  for (const ContactSpec& contact : scene.contacts)
+    if (!std::holds_alternative<Side>(contact.target)) return {0, 0};
+  return displacement.high.colwise().mean();
 }
 
 /// What supports still have to move, from the rounded places.
@@ -93,11 +109,13 @@ void add_rest(const NodeArray& rest, const Unknowns& unknowns, Gaps& gaps) {
 void place_bodies(const Scene& scene, const Displaced& displacement, const Displaced& before,
                   Model& model) {
   const NodeArray still = nodes_of(model.bodies);
-  const Places now = places(still, displacement);
+  const Eigen::RowVector2d carried = carrier(scene, displacement);
+  const Places now = places(still, displacement, carried);
+  const Places earlier = places(still, before, carrier(scene, before));
   const NodeArray moved = (displacement.high - before.high) + (displacement.low - before.low);
   Plan draft;
   draft.standing = std::make_shared<const Standing>(
-      Standing{displacement.high, still + before.high, moved - now.rest});
+      Standing{displacement.high, earlier.rounded, moved - now.rest});
   draft.fits = {[&standing = *draft.standing](const ContactSpec& /*contact*/, Pairs& pairs) {
     return slide_along_obstacles(standing, pairs);
   }};
@@ -111,6 +129,7 @@ void place_bodies(const Scene& scene, const Displaced& displacement, const Displ
       if (effect->of_pairs) effect->declare(scene, draft);
   }
   add_rest(now.rest, draft.unknowns, draft.gaps);
+  draft.gaps.pairs.position.rowwise() += carried;
   model.standing = std::move(draft.standing);
   model.gaps = std::move(draft.gaps);
   model.contact_of = std::move(draft.contact_of);

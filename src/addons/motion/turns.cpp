@@ -70,8 +70,9 @@ void judge_turns(const Model& model, Solution& solution) {
   solution.contact.report.status = SolveStatus::TurnedTooFar;
   solution.contact.reason =
       text(words, ": up to ", refused_turn,
-           " rad is taken. Hold the body against turning, or draw its mesh turned as it comes to "
-           "stand");
+           " rad is taken. Give its material a law of finite strain (law = \"st_venant_kirchhoff\" "
+           "or \"neo_hooke\"), hold the body against turning, or draw its mesh turned as it comes "
+           "to stand");
 }
 
 }  // namespace signorini
