@@ -79,12 +79,13 @@ void count_from_the_meshes(const NodeArray& displacement, const Unknowns& unknow
 }  // namespace
 
 void place_bodies(const Scene& scene, const NodeArray& displacement, const NodeArray& before,
-                  Model& model) {
+                  Model& model, bool keep_points) {
   const NodeArray still = nodes_of(model.bodies);
   const NodeArray now = still + displacement;
   const NodeArray earlier = still + before;
   Plan draft;
-  draft.standing = std::make_shared<const Standing>(Standing{now - still, earlier, now - earlier});
+  draft.standing =
+      std::make_shared<const Standing>(Standing{now - still, earlier, now - earlier, keep_points});
   draft.fits = {[&standing = *draft.standing](const ContactSpec& /*contact*/, Pairs& pairs) {
     return slide_along_obstacles(standing, pairs);
   }};

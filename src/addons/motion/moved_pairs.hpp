@@ -18,9 +18,10 @@ namespace signorini {
 /// \param displacement  `n_nodes x 2` from the scene to where the bodies stand [length]
 /// \param before        `n_nodes x 2` the same at the end of the last step [length]
 /// \param[in,out] model  from build() of the scene; as it was if an error is thrown
+/// \param keep_points   whether the pairs keep their points, see GapOptions
 /// \throws ProblemError as GapOperator: a source that faces nothing, or lies in its target deeper than a cell
 void place_bodies(const Scene& scene, const NodeArray& displacement, const NodeArray& before,
-                  Model& model);
+                  Model& model, bool keep_points = false);
 
 /// Which pair is which, wherever it stands among the others: the number of its contact and the node of its source.
 using PairName = std::pair<std::size_t, Eigen::Index>;
