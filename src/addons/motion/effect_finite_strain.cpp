@@ -38,7 +38,7 @@ void declare_finite_strain(const Scene& scene, Plan& draft) {
                             draft.bodies[b].material.base.law->name,
                             ", about 5 tangents a step, each with a factor"));
   }
-  move_pairs(scene, "finite strain (a material with a law)", draft);
+  move_pairs(scene, "finite strain (a material with a law)", true, draft);
 }
 
 }  // namespace

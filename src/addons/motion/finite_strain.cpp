@@ -127,10 +127,10 @@ void mean_volume(const std::vector<Place>& places, bool across, MeanVolume& mean
 /// Finds the strain across that leaves no stress there, and takes it out of the tangent.
 void release_across(HyperelasticLaw law, const Cell& cell, const Lame& lame, Components& H,
                     StressResponse& response) {
-  constexpr int most = 50;  // each doubles the digits, behind a few that only come closer
+  constexpr int most_tries = 50;  // each doubles the digits, behind a few that only come closer
   const double nu = cell.material.poisson_ratio;
   H(4) = std::exp(-nu / (1 - nu) * std::log1p(area_change(H))) - 1;
-  for (int k = 0; k < most; ++k) {
+  for (int k = 0; k < most_tries; ++k) {
     law(lame, H, response);
     const double change = -response.piola(4) / response.tangent(4, 4);
     if (!(response.tangent(4, 4) > 0) || !(1 + H(4) + change > 0)) break;

@@ -7,15 +7,17 @@
 // see [held_by_pairs.cpp](held_by_pairs.cpp), and where contact has not begun to hold a body nothing makes it definite. So
 // there is a ladder. Each rung changes how far the iteration goes, and none where the loop ends:
 //
-// 1. closed pairs hold, ever more stiffly;
-// 2. springs hold every unknown where it is, ever more stiffly;
-// 3. if the linear problem then has no solution, because a body would fly off before its pairs are found, weak springs, and
+// 1. contact forces turn with the bodies, and closed pairs hold, ever more stiffly;
+// 2. contact forces keep their directions: what turns may be what makes the tangent indefinite;
+// 3. springs hold every unknown where it is, ever more stiffly;
+// 4. if the linear problem then has no solution, because a body would fly off before its pairs are found, weak springs, and
 //    the way is bounded.
 #include "addons/motion/linear_problem.hpp"
 
 #include <array>
 #include <utility>
 
+#include "addons/motion/curvature.hpp"
 #include "addons/motion/held_by_pairs.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/scene/scene.hpp"
@@ -23,17 +25,46 @@
 namespace signorini {
 namespace {
 
+using Eigen::Index;
 using Eigen::VectorXd;
 
 /// Multiples of the mean stiffness.
 struct Rung {
+  bool turns;
   double pairs;
   double springs;
 };
 
-constexpr std::array<Rung, 6> ladder = {
-    {{40, 0}, {400, 0}, {4000, 0}, {40, 1e-3}, {40, 1e-2}, {40, 1e-1}}};
-constexpr Rung weak = {40, 1e-6};
+constexpr std::array<Rung, 8> ladder = {{{true, 40, 0},
+                                         {true, 400, 0},
+                                         {true, 4000, 0},
+                                         {false, 40, 0},
+                                         {false, 4000, 0},
+                                         {false, 40, 1e-3},
+                                         {false, 40, 1e-2},
+                                         {false, 40, 1e-1}}};
+constexpr Rung weak = {false, 40, 1e-6};
+
+/// K less what turning contact forces add to it.
+void turn_forces(const TangentProblem& problem, QuadraticProgramme& programme) {
+  const Model& model = problem.model;
+  if (problem.turning.size() == 0) return;
+  NodeArray places = model.standing->displacement;
+  for (const BodyModel& body : model.bodies)
+    places.middleRows(body.first_node, body.mesh.n_nodes()) += body.mesh.nodes;
+  const Eigen::SparseMatrix<double> all = contact_curvature(model.pairs, problem.turning, places);
+  std::vector<Eigen::Triplet<double>> entries;
+  const auto unknown = [&](Index component) {
+    return static_cast<int>(model.unknowns.number(component / 2, component % 2));
+  };
+  for (Index column = 0; column < all.cols(); ++column)
+    for (Eigen::SparseMatrix<double>::InnerIterator it(all, column); it; ++it)
+      if (unknown(it.row()) >= 0 && unknown(column) >= 0)
+        entries.emplace_back(unknown(it.row()), unknown(column), it.value());
+  Eigen::SparseMatrix<double> turn(model.unknowns.count, model.unknowns.count);
+  turn.setFromTriplets(entries.begin(), entries.end());
+  programme.stiffness = (programme.stiffness - turn).eval();
+}
 
 /// One try. \return nothing if K has no factor
 std::optional<Solution> try_rung(const Rung& rung, const QuadraticProgramme& before,
@@ -43,6 +74,7 @@ std::optional<Solution> try_rung(const Rung& rung, const QuadraticProgramme& bef
   model.programme.stiffness = before.stiffness;
   model.programme.load = before.load;
   const double mean = mean_stiffness(before);
+  if (rung.turns) turn_forces(problem, model.programme);
   hold_by_pairs(problem.held, rung.pairs * mean, model.programme);
   hold_by_springs(rung.springs * mean, model.programme);
   std::vector<FreeMotion> modes;  // of K before strain, and of no other

@@ -23,6 +23,8 @@ namespace signorini {
 struct TangentProblem {
   Model& model;  ///< placed, with K and p of the iteration; K and p come back changed
   const std::vector<Eigen::Index>& held;  ///< rows that held last, see held_rows()
+  /// `n_c` forces of the last iteration, which turn with the bodies; empty: none are known [force]
+  const Eigen::VectorXd& turning;
   const SolverOptions& options;           ///< for the solver
 };
 

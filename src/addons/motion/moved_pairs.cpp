@@ -107,7 +107,7 @@ void add_rest(const NodeArray& rest, const Unknowns& unknowns, Gaps& gaps) {
 }  // namespace
 
 void place_bodies(const Scene& scene, const Displaced& displacement, const Displaced& before,
-                  Model& model) {
+                  Model& model, bool keep_points) {
   const NodeArray still = nodes_of(model.bodies);
   const Eigen::RowVector2d carried = carrier(scene, displacement);
   const Places now = places(still, displacement, carried);
@@ -115,7 +115,7 @@ void place_bodies(const Scene& scene, const Displaced& displacement, const Displ
   const NodeArray moved = (displacement.high - before.high) + (displacement.low - before.low);
   Plan draft;
   draft.standing = std::make_shared<const Standing>(
-      Standing{displacement.high, earlier.rounded, moved - now.rest});
+      Standing{displacement.high, earlier.rounded, moved - now.rest, keep_points});
   draft.fits = {[&standing = *draft.standing](const ContactSpec& /*contact*/, Pairs& pairs) {
     return slide_along_obstacles(standing, pairs);
   }};
@@ -153,18 +153,15 @@ std::vector<PairName> names_of_pairs(const Model& model) {
   return names;
 }
 
-std::vector<ContactStatus> handed_on(const std::vector<PairName>& names,
-                                     const std::vector<ContactStatus>& statuses,
-                                     const Model& model) {
-  if (statuses.size() != names.size()) return {};
-  std::map<PairName, ContactStatus> known;
-  for (std::size_t k = 0; k < names.size(); ++k) known.emplace(names[k], statuses[k]);
-  std::vector<ContactStatus> here;
+std::vector<Index> same_pairs(const std::vector<PairName>& names, const Model& model) {
+  std::map<PairName, Index> known;
+  for (std::size_t k = 0; k < names.size(); ++k) known.emplace(names[k], static_cast<Index>(k));
+  std::vector<Index> same;
   for (const PairName& name : names_of_pairs(model)) {
     const auto found = known.find(name);
-    here.push_back(found == known.end() ? ContactStatus::Open : found->second);
+    same.push_back(found == known.end() ? -1 : found->second);
   }
-  return here;
+  return same;
 }
 
 }  // namespace signorini

@@ -19,9 +19,10 @@ namespace signorini {
 /// \param displacement  of all nodes, from the scene to where the bodies stand
 /// \param before        the same at the end of the last step
 /// \param[in,out] model  from build() of the scene; as it was if an error is thrown
+/// \param keep_points   whether the pairs keep their points, see GapOptions
 /// \throws ProblemError as GapOperator: a source that faces nothing, or lies in its target deeper than a cell
 void place_bodies(const Scene& scene, const Displaced& displacement, const Displaced& before,
-                  Model& model);
+                  Model& model, bool keep_points = false);
 
 /// Lets gaps and slips of a model that was placed count from the scene: \f$ g - Au \f$ with all of u is what they are there.
 /// \param displacement  of all nodes, where the bodies stand
@@ -35,13 +36,11 @@ using PairName = std::pair<std::size_t, Eigen::Index>;
 /// \return `n_c` names of its pairs
 [[nodiscard]] std::vector<PairName> names_of_pairs(const Model& model);
 
-/// What the pairs of a model do, by what others did that have the same name; open where there was none.
-/// \param names     of the other pairs
-/// \param statuses  as many
-/// \param model     whose pairs are asked for
-/// \return `n_c` statuses
-[[nodiscard]] std::vector<ContactStatus> handed_on(const std::vector<PairName>& names,
-                                                   const std::vector<ContactStatus>& statuses,
+/// Which of other pairs is which of a model.
+/// \param names  of the others
+/// \param model  whose pairs are asked for
+/// \return `n_c` numbers of the pair of the same name; -1 where there was none
+[[nodiscard]] std::vector<Eigen::Index> same_pairs(const std::vector<PairName>& names,
                                                    const Model& model);
 
 }  // namespace signorini

@@ -83,6 +83,7 @@ struct Moving {
   VectorXd outer = outer_forces(model);
   Displaced at = before;              ///< where the model is linear about
   std::vector<Index> held = {};       ///< rows that held in the last iteration, see held_rows()
+  VectorXd turning = {};              ///< contact forces of the last iteration
   bool bounded = false;               ///< whether only springs held a body in it
   std::string reason = {};            ///< why a place cannot be gone to
 
@@ -94,6 +95,7 @@ struct Moving {
   [[nodiscard]] bool holds_here(Solution& solution, const Linearised& solved) const;
   void conclude(Solution& solution) const;
   void give_back() const;
+  void hand_on(const Linearised& solved, const ContactState& contact);
   bool ends(Solution& solution);
   Solution solved();
 };
@@ -137,7 +139,7 @@ Solution Moving::linear_problem() {
     if (!flies || !rest) return solution;
     ledger = std::move(solution.ledger);
   }
-  return solve_with_tangent({model, held, options}, condensed, std::move(ledger), bounded);
+  return solve_with_tangent({model, held, turning, options}, condensed, std::move(ledger), bounded);
 }
 
 /// A share of the way that was found. What supports give is gone to its end exactly.
@@ -166,8 +168,8 @@ Displaced Moving::ahead(const Solution& solution, double share) const {
 /// Goes where a solution has the bodies, or on the way there as far as pairs can be found and no cell turns over.
 bool Moving::goes_to(const Solution& solution) {
   const double way = largest(solution.refined.displacement);
-  const double most = bounded_way * smallest_size(model);
-  double share = bounded && way > most ? most / way : 1;
+  const double farthest = bounded_way * smallest_size(model);
+  double share = bounded && way > farthest ? farthest / way : 1;
   for (int halved = 0; halved <= model.path.halvings; ++halved, share /= 2) try {
       linearise(ahead(solution, share));
       return true;
@@ -233,6 +235,20 @@ std::string why_not_ended(const std::string& reason) {
               " searches: take shorter steps, and the softer and finer side as the source");
 }
 
+/// What is known of the pairs that were, for those that are now.
+void Moving::hand_on(const Linearised& solved, const ContactState& contact) {
+  const std::vector<Index> same = same_pairs(solved.names, model);
+  const std::vector<ContactStatus> statuses = all_statuses(contact);
+  options.start.assign(same.size(), ContactStatus::Open);
+  turning.setZero(static_cast<Index>(same.size()));
+  for (std::size_t k = 0; k < same.size(); ++k) {
+    if (same[k] < 0) continue;
+    options.start[k] = statuses[static_cast<std::size_t>(same[k])];
+    turning(static_cast<Index>(k)) = contact.force(same[k]);
+  }
+  held = held_rows(options.start, model.law);
+}
+
 /// Iterations until one holds. \return whether one did
 bool Moving::ends(Solution& solution) {
   linearise(before);
@@ -244,8 +260,7 @@ bool Moving::ends(Solution& solution) {
     const bool gone = goes_to(solution);
     if (gone && holds_here(solution, problem)) return true;
     if (!gone) break;
-    options.start = handed_on(problem.names, all_statuses(solution.contact), model);
-    held = held_rows(options.start, model.law);
+    hand_on(problem, solution.contact);
   }
   solution.contact.report.status = SolveStatus::IterationLimit;
   solution.contact.reason = why_not_ended(reason);

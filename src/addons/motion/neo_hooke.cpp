@@ -15,7 +15,7 @@
 namespace signorini {
 namespace {
 
-void respond(const Lame& lame, const Components& H, StressResponse& response) {
+void rubber_stress(const Lame& lame, const Components& H, StressResponse& response) {
   const double a = area_change(H);
   const double area = 1 + a;
   const double F33 = 1 + H(4);
@@ -43,14 +43,13 @@ void respond(const Lame& lame, const Components& H, StressResponse& response) {
       lame.mu * (H(0) + H(3) + H(4) + H.squaredNorm() / 2 - log_J) + lame.lambda / 2 * log_J * log_J;
 }
 
-void answer(const Cell& cell, const CellVector& displacement, CellAnswer& all) {
-  finite_answer(respond, cell, displacement, all);
-}
-
 }  // namespace
 
 StrainLaw neo_hooke() {
-  return {"neo_hooke", "rubber-like, resists any compression", answer};
+  return {"neo_hooke", "rubber-like, resists any compression",
+          [](const Cell& cell, const CellVector& displacement, CellAnswer& answer) {
+            finite_answer(rubber_stress, cell, displacement, answer);
+          }};
 }
 
 }  // namespace signorini

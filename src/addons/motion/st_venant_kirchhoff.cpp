@@ -9,7 +9,7 @@
 namespace signorini {
 namespace {
 
-void respond(const Lame& lame, const Components& H, StressResponse& response) {
+void green_strain_stress(const Lame& lame, const Components& H, StressResponse& response) {
   const double F11 = 1 + H(0);
   const double F12 = H(1);
   const double F21 = H(2);
@@ -38,15 +38,13 @@ void respond(const Lame& lame, const Components& H, StressResponse& response) {
   response.tangent(4, 4) += S(3);
 }
 
-void answer(const Cell& cell, const CellVector& displacement, CellAnswer& all) {
-  finite_answer(respond, cell, displacement, all);
-}
-
 }  // namespace
 
 StrainLaw st_venant_kirchhoff() {
   return {"st_venant_kirchhoff", "Hooke's law with Green's strain: large turns, small strains",
-          answer};
+          [](const Cell& cell, const CellVector& displacement, CellAnswer& answer) {
+            finite_answer(green_strain_stress, cell, displacement, answer);
+          }};
 }
 
 }  // namespace signorini

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "signorini/contact/kept_points.hpp"
 #include "signorini/fem/mesh.hpp"
 
 namespace signorini {
@@ -49,7 +50,10 @@ struct Pairs {
       node;  ///< `n_c` source node of each pair in its own mesh; -1 if it has none
   /// Nodes of the source that face no target and have no pair, in walking order.
   std::vector<Eigen::Index> unpaired;
-  Eigen::VectorXd slid = {};  ///< `n_c` slip where no unknown moves [length]; empty: 0, see GapOptions::before
+  Eigen::VectorXd slid =
+      {};  ///< `n_c` slip where no unknown moves [length]; empty: 0, see GapOptions::before
+  std::vector<KeptPoint> points = {};  ///< of all pairs; none unless asked for, see GapOptions
+  std::vector<KeptJump> jumps = {};    ///< between them, of an operator that knows where they are
 };
 
 /// \param arm     from a point to a place [length]

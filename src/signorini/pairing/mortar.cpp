@@ -18,8 +18,10 @@
 #include "signorini/pairing/mortar.hpp"
 
 #include <map>
+#include <utility>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/pairing/jumps.hpp"
 #include "signorini/pairing/mortar_segments.hpp"
 #include "signorini/pairing/pair_rows.hpp"
 
@@ -47,44 +49,78 @@ void collect(const SourceEdge& edge, const EdgeSamples& samples, std::vector<Pai
 }
 // [edge]
 
-}  // namespace
+// Weights are sums, too: a node has two edges, and only when both are collected is it known what a
+// point is a share of. So lists grow first, and numbers follow.
+
+/// What the edges of a source have collected. Nodes stand for the numbers of pairs.
+struct Collected {
+  std::vector<PairPoint> points;
+  std::map<Index, double> weights;
+  std::vector<KeptJump> jumps;  ///< if they are asked for
+};
 
 /// Edge by edge: cut it into segments, sample them, make the dual functions of what is covered, and
-/// collect. The rows are written at the end, because a node collects from two edges.
+/// collect. Where normals jump is seen at two neighbours at a time, once all are sampled.
+Collected sample(const Interface& interface, const GapOptions& options, int n_points) {
+  const bool cut = options.quadrature == Quadrature::Segments;
+  std::vector<std::vector<double>> cuts(interface.sides.size());
+  if (cut) cuts = segment_cuts(interface);
+  Collected all;
+  std::vector<SampledEdge> edges;
+  for (std::size_t k = 0; k < cuts.size(); ++k)
+    for (const SourceEdge& edge : edges_of(interface.sides[k])) {
+      const EdgeSamples samples = sample_edge(edge, interface, cuts[k], n_points);
+      collect(edge, samples, all.points, all.weights);
+      if (options.keep_points && cut) edges.push_back({edge, samples, &cuts[k]});
+    }
+  all.jumps = jumps_along(edges, interface);
+  return all;
+}
+
+/// Until here a point knows its node. Nodes without weight have dropped out, so pairs are counted
+/// anew. A jump has shares already, as rows are not written of it.
+Eigen::VectorXd number(const std::vector<Index>& nodes, Collected& all) {
+  std::map<Index, Index> pair_of;
+  Eigen::VectorXd total(static_cast<Index>(nodes.size()));
+  for (Index pair = 0; pair < total.size(); ++pair) {
+    const Index node = nodes[static_cast<std::size_t>(pair)];
+    pair_of[node] = pair;
+    total(pair) = all.weights.at(node);
+  }
+  for (PairPoint& point : all.points) point.pair = pair_of.at(point.pair);
+  for (KeptJump& jump : all.jumps)
+    for (KeptPoint* point : {&jump.before, &jump.behind}) {
+      point->pair = pair_of.at(point->pair);
+      point->share /= total(point->pair);
+    }
+  return total;
+}
+
+}  // namespace
+
+// On straight sides two points per segment are exact. Along parabolas the integrand is no polynomial, and
+// a third point is worth its price; more of them would only resolve what the pressure, a line
+// between two nodes, cannot follow.
+
+/// First all edges, then numbers, then rows: a node collects from two edges.
 Pairs mortar(const Surface& source, const Surface& target, const GapOptions& options) {
   require_input(options.points >= 0 && options.points <= 16,
                 "mortar: there are rules of 1 to 16 points (0: its own choice), got ",
                 options.points);
   const Interface interface(source, target, options);
-  const bool cut = options.quadrature == Quadrature::Segments;
   const bool curved =
       source.mesh.order() == MeshOrder::Quadratic || target.mesh.order() == MeshOrder::Quadratic;
-  const int n_points = options.points > 0 ? options.points : (cut && curved ? 3 : 2);
-  std::vector<std::vector<double>> cuts(interface.sides.size());
-  if (cut) cuts = segment_cuts(interface);
-  std::vector<PairPoint> points;
-  std::map<Index, double> weights;
-  for (std::size_t k = 0; k < cuts.size(); ++k)
-    for (const SourceEdge& edge : edges_of(interface.sides[k]))
-      collect(edge, sample_edge(edge, interface, cuts[k], n_points), points, weights);
-
+  const int own = options.quadrature == Quadrature::Segments && curved ? 3 : 2;
+  Collected all = sample(interface, options, options.points > 0 ? options.points : own);
   Pairs pairs;
   for (const Index node : boundary_nodes(source.mesh, source.boundary))
-    (weights.count(node) != 0 ? pairs.node : pairs.unpaired).push_back(node);
+    (all.weights.count(node) != 0 ? pairs.node : pairs.unpaired).push_back(node);
   interface.check_paired(pairs.node.size());
-  std::map<Index, Index> pair_of;
-  Eigen::VectorXd total(static_cast<Index>(pairs.node.size()));
-  for (Index pair = 0; pair < total.size(); ++pair) {
-    const Index node = pairs.node[static_cast<std::size_t>(pair)];
-    pair_of[node] = pair;
-    total(pair) = weights.at(node);
-  }
-  // Until here a point knows its node. Nodes without weight have dropped out, so pairs are counted
-  // anew.
-  for (PairPoint& point : points) point.pair = pair_of.at(point.pair);
+  const Eigen::VectorXd total = number(pairs.node, all);
   pairs.position = source.mesh.nodes(pairs.node, Eigen::all);
   pairs.weight = options.depth.factor * total;
-  write_rows(interface, points, total, options, pairs);
+  write_rows(interface, all.points, total, options, pairs);
+  pairs.jumps = std::move(all.jumps);
   return pairs;
 }
 

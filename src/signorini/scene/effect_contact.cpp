@@ -95,8 +95,7 @@ void declare_contact(const Scene& scene, Plan& draft) {
   for (std::size_t k = 0; k < scene.contacts.size(); ++k) {
     const ContactSpec& contact = scene.contacts[k];
     const std::string what = describe(draft.bodies, contact);
-    Pairs found =
-        pair_up(contact, draft.bodies, sliding, standing == nullptr ? nullptr : &standing->before);
+    Pairs found = pair_up(contact, draft.bodies, sliding, standing);
     const Eigen::VectorXd gap = found.initial_gap;
     if (standing == nullptr) check_pairs(contact, found, draft);
     std::string fitted;

@@ -9,14 +9,14 @@
 namespace signorini {
 
 /// Pairs of one contact by its operator, before supports.
-/// \param contact  of the scene
-/// \param bodies   of the scene
-/// \param sliding  whether the matrix S is wanted
-/// \param before   where the nodes stood before they came to where the meshes have them, see GapOptions; or null
+/// \param contact   of the scene
+/// \param bodies    of the scene
+/// \param sliding   whether the matrix S is wanted
+/// \param standing  of bodies that have moved to where the meshes have them; or null
 /// \return the pairs
 /// \throws ProblemError as GapOperator and node_to_obstacle(), or for bodies of two thicknesses
 [[nodiscard]] Pairs pair_up(const ContactSpec& contact, const std::vector<BodyModel>& bodies,
-                            bool sliding, const NodeArray* before = nullptr);
+                            bool sliding, const Standing* standing = nullptr);
 
 /// A contact that has been paired.
 struct FollowedContact {

@@ -1,0 +1,27 @@
+// This header is internal: chapters do not include it, and it is not installed.
+/// \file
+/// How contact forces on nodes change because the bodies move, while the forces of the pairs stay.
+#pragma once
+#include <Eigen/SparseCore>
+
+#include "signorini/contact/pairs.hpp"
+
+namespace signorini {
+
+/// The symmetric matrix \f$ B = \partial(N^T\lambda)/\partial u \f$ with \f$ \lambda \f$ fixed: normals turn, and places of the
+/// target wander along its sides. A Newton step of bodies that move has \f$ K - B \f$ in the place of K.
+///
+/// The shares of points are held, while those of the library's rows follow the lengths of the source: so B is what differences of
+/// \f$ N^T\lambda \f$ are up to 1 % (see tests/motion/test_curvature.cpp), and an accelerator. Exact are its properties: it is
+/// symmetric, a translation of all bodies is a null vector, and a turn of all by \f$ \omega \f$ is mapped to
+/// the forces that turn with them. An obstacle stands still and is no body then; one whose gap is no distance, as of profile(),
+/// has the part that lies along it. What friction adds is not symmetric and is left out.
+/// \param pairs   `n_c` with their points, see GapOptions::keep_points; pairs without are taken for flat
+/// \param force   `n_c` contact forces [force], compression > 0
+/// \param places  `n_nodes x 2` of all nodes, where the pairs were found [length]
+/// \return `2 n_nodes x 2 n_nodes` [force/length], column 2 * node + axis; no entries of pairs without force
+[[nodiscard]] Eigen::SparseMatrix<double> contact_curvature(const Pairs& pairs,
+                                                            const Eigen::VectorXd& force,
+                                                            const NodeArray& places);
+
+}  // namespace signorini

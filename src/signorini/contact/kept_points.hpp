@@ -1,0 +1,49 @@
+/// \file
+/// Points of pairs that are kept beside their rows: what a row of N forgets, and its change needs.
+///
+/// A row of \f$N\f$ is a mean over points. It says what a pair reads of the displacements where the bodies stand,
+/// and not how it will read them once they have moved. That depends on the places that face each other,
+/// and these are known to whoever writes the row.
+#pragma once
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "signorini/core/alignment.hpp"
+
+namespace signorini {
+
+/// A place on a side: the nodes of the side and what each has of a force there.
+struct SidePlace {
+  std::array<Eigen::Index, 3> node = {
+      -1, -1, -1};  ///< in walking order, among the nodes of all bodies; -1: no more nodes
+  Eigen::Vector3d value = Eigen::Vector3d::Zero();  ///< shape functions [-]; 0 without a node
+
+  /// \return 2 or 3 nodes of a side; a node that stands alone is 1, and a place on an obstacle has none
+  [[nodiscard]] std::size_t n_nodes() const {
+    return static_cast<std::size_t>(3 - (node[0] < 0) - (node[1] < 0) - (node[2] < 0));
+  }
+};
+
+/// A place of the source and the place of the target that it faces, as a share of a pair.
+struct KeptPoint {
+  Eigen::Index pair = 0;  ///< number of the pair
+  double share = 0;       ///< by which the point counts in it [-]; those of a pair add up to 1
+  SidePlace source;       ///< where the point lies
+  SidePlace target;       ///< what it faces; an obstacle has no nodes
+  double xi = 0;          ///< place along the side of the target [-]; -1 or 1: at a vertex
+  Eigen::Vector2d normal = Eigen::Vector2d::Zero();  ///< unit vector out of the target [-]
+  double gap = 0;                                    ///< [length], overlap < 0
+  double turning =
+      0;  ///< of an obstacle: how its normal turns as the point goes along it [1/length]
+};
+
+/// A place of the source from which on it faces the next side of the target, with another normal at the same distance.
+/// Both points lie there; their share is that of a unit of length [1/length].
+struct KeptJump {
+  KeptPoint before;  ///< faces the side that the points before it face
+  KeptPoint behind;  ///< faces the next one
+  Eigen::Vector2d along = Eigen::Vector2d::Zero();  ///< unit tangent of the source there [-]
+};
+
+}  // namespace signorini
