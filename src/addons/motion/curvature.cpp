@@ -64,7 +64,7 @@ Columns columns_of(const std::vector<const SidePlace*>& places) {
 /// What nodes with these amounts read along a direction.
 Eigen::Matrix<double, 6, 1> along(const Vector3d& amount, const Vector2d& direction) {
   Eigen::Matrix<double, 6, 1> reading;
-  for (int k = 0; k < 3; ++k) reading.segment<2>(2 * k) = amount(k) * direction;
+  for (Index k = 0; k < 3; ++k) reading.segment<2>(2 * k) = amount(k) * direction;
   return reading;
 }
 

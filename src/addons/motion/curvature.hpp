@@ -11,10 +11,11 @@ namespace signorini {
 /// The symmetric matrix \f$ B = \partial(N^T\lambda)/\partial u \f$ with \f$ \lambda \f$ fixed: normals turn, and places of the
 /// target wander along its sides. A Newton step of bodies that move has \f$ K - B \f$ in the place of K.
 ///
-/// The shares of points are held, while those of the library's rows follow the lengths of the source: so B is what differences of
-/// \f$ N^T\lambda \f$ are up to 1 % (see tests/motion/test_curvature.cpp), and an accelerator. Exact are its properties: it is
-/// symmetric, a translation of all bodies is a null vector, and a turn of all by \f$ \omega \f$ is mapped to
-/// the forces that turn with them. An obstacle stands still and is no body then; one whose gap is no distance, as of profile(),
+/// The shares of points are held, and for such rows B is exact but for the rule of the integrals. Those of the library's rows
+/// follow the lengths of the source. What they add is not symmetric: a tenth of B or more if each node moves alone, and
+/// less than 1 % of what a displacement does that is smooth on the scale of the source's edges. So B is an accelerator and no
+/// truth. Exact are its properties: it is symmetric, a translation of all bodies is a null vector, and a turn of all by
+/// \f$ \omega \f$ is mapped to the forces that turn with them. An obstacle stands still and is no body then; one whose gap is no distance, as of profile(),
 /// has the part that lies along it. What friction adds is not symmetric and is left out.
 /// \param pairs   `n_c` with their points, see GapOptions::keep_points; pairs without are taken for flat
 /// \param force   `n_c` contact forces [force], compression > 0
