@@ -73,22 +73,41 @@ void add_ahead(const Numbers& numbers, const CellMatrix& K, const NodeArray& goi
   }
 }
 
-void add_difference(const Numbers& numbers, const CellMatrix& K,
-                    Eigen::SparseMatrix<double>& all) {
-  for (Index j = 0; j < K.cols(); ++j)
-    for (Index i = 0; i < K.rows() && numbers.unknown(j) >= 0; ++i)
-      if (numbers.unknown(i) >= 0) all.coeffRef(numbers.unknown(i), numbers.unknown(j)) += K(i, j);
+/// Where the entries of a cell are among the values of K, column by column; -1 of those that K does not have.
+std::vector<int> places_in(const Numbers& numbers, Eigen::SparseMatrix<double>& K) {
+  const Index n = 2 * numbers.cell.element.n_nodes;
+  std::vector<int> places;
+  places.reserve(static_cast<std::size_t>(n * n));
+  for (Index j = 0; j < n; ++j)
+    for (Index i = 0; i < n; ++i) {
+      const Index row = numbers.unknown(i);
+      const Index column = numbers.unknown(j);
+      places.push_back(row < 0 || column < 0
+                           ? -1
+                           : static_cast<int>(&K.coeffRef(row, column) - K.valuePtr()));
+    }
+  return places;
+}
+
+/// Adds a matrix of a cell to those values.
+void add_values(const CellMatrix& cell, const std::vector<int>& places,
+            Eigen::SparseMatrix<double>& K) {
+  for (Index k = 0; k < cell.size(); ++k)
+    if (const int place = places[static_cast<std::size_t>(k)]; place >= 0)
+      K.valuePtr()[place] += cell.data()[k];
 }
 
 }  // namespace
 
 BodyAnswers::BodyAnswers(const Model& model) : stiffness_(model.programme.stiffness) {
   for (const BodyModel& body : model.bodies) {
-    std::vector<CellMatrix>& own = cells_.emplace_back();
+    std::vector<CellAtRest>& own = cells_.emplace_back();
     own.reserve(static_cast<std::size_t>(body.mesh.n_cells()));
     visit_cells(body.mesh, body.element, body.material, [&](const Cell& cell) {
-      own.push_back(cell_stiffness(cell.element, cell.body));
-      finite_ = finite_ || cell.material.law != nullptr;
+      own.push_back({cell_stiffness(cell.element, cell.body), {}});
+      if (cell.material.law == nullptr) return;
+      finite_ = true;
+      own.back().places = places_in({model.unknowns, body.first_node, cell}, stiffness_);
     });
   }
 }
@@ -102,12 +121,13 @@ BodyAnswer BodyAnswers::at(const Model& model, const Displaced& at, const NodeAr
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const BodyModel& body = model.bodies[b];
     visit_cells(body.mesh, body.element, body.material, [&](const Cell& cell) {
-      const CellMatrix& before = cells_[b][static_cast<std::size_t>(cell.number)];
+      const CellAtRest& rest = cells_[b][static_cast<std::size_t>(cell.number)];
+      const CellMatrix& before = rest.stiffness;
       const CellVector u = less_shift(cell, body.first_node, at);
       const Numbers numbers{model.unknowns, body.first_node, cell};
       if (cell.material.law != nullptr) {
         cell.material.law->answer(cell, u, answer);
-        if (tangent != nullptr) add_difference(numbers, answer.tangent - before, *tangent);
+        if (tangent != nullptr) add_values(answer.tangent - before, rest.places, *tangent);
       } else {
         answer.force = before * u;
       }

@@ -40,7 +40,12 @@ class BodyAnswers {
   [[nodiscard]] bool finite() const { return finite_; }
 
  private:
-  std::vector<std::vector<CellMatrix>> cells_;  // K of each cell of each body before strain
+  struct CellAtRest {
+    CellMatrix stiffness;
+    std::vector<int> places;  // of its entries among the values of K, if it has a law
+  };
+
+  std::vector<std::vector<CellAtRest>> cells_;  // of each body
   Eigen::SparseMatrix<double> stiffness_;       // K before strain
   bool finite_ = false;
 };

@@ -80,6 +80,7 @@ std::optional<Solution> try_rung(const Rung& rung, const QuadraticProgramme& bef
   std::vector<FreeMotion> modes;  // of K before strain, and of no other
   modes.swap(model.modes);
   std::optional<Solution> solution;
+  ledger.count("tangents tried", 1);
   try {
     condensed = condense(model, ledger);
     ledger.count("factors", 1);

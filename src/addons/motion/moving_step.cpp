@@ -112,7 +112,10 @@ void Moving::linearise(const Displaced& there) {
   const bool rest = there.high.isZero(0) && there.low.isZero(0);
   Eigen::SparseMatrix<double> tangent;
   BodyAnswer answer;
-  if (!rest) answer = bodies.at(model, there, left, bodies.finite() ? &tangent : nullptr);
+  if (!rest) {
+    const Ledger::Phase phase(ledger, "forces");
+    answer = bodies.at(model, there, left, bodies.finite() ? &tangent : nullptr);
+  }
   {
     const Ledger::Phase phase(ledger, "pairs");
     ledger.count("searches", 1);
