@@ -11,32 +11,38 @@
 namespace signorini {
 namespace {
 
-bool has_law(const Body& body) {
-  return body.material.law != nullptr ||
-         std::any_of(body.layers.begin(), body.layers.end(),
-                     [](const Layer& layer) { return layer.material.law != nullptr; });
+bool has_law(const Body& body) { return body.material.law != nullptr; }
+
+/// A cell of small strain in a body that turns would be wrong, and one of a law in a body that may not turn no use.
+void check_layers(const Body& body) {
+  for (const Layer& layer : body.layers)
+    require_input((layer.material.law != nullptr) == has_law(body), "layer '", layer.region,
+                  "' of '", body.mesh.name,
+                  "': either all of a body has laws of finite strain, or nothing of it");
 }
 
 /// An element that a law can be asked in. Internal modes of a cell in compression find hourglasses that resist nothing.
-void choose_element(const Body& body, BodyModel& planned) {
+/// \return whether the usual one was replaced
+bool choose_element(const Body& body, BodyModel& planned) {
   const std::string what =
-      text("body '", planned.mesh.name, "' with the law ", planned.material.base.law->name);
-  if (planned.element.relax != nullptr && body.element.empty())
-    planned.element = q4_bbar();
+      text("body '", planned.mesh.name, "' with the law ", body.material.law->name);
+  const bool other = planned.element.relax != nullptr && body.element.empty();
+  if (other) planned.element = q4_bbar();
   require_input(planned.element.relax == nullptr, what, ": ", planned.element.name,
                 " bends into hourglasses when it is pressed; take q4_bbar, q4 or q8");
   require_input(!planned.material.eigenstrain, what,
                 ": a temperature strains it a little only; leave the law out, or the temperature");
+  return other;
 }
 
 void declare_finite_strain(const Scene& scene, Plan& draft) {
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    check_layers(scene.bodies[b]);
     if (!has_law(scene.bodies[b])) continue;
-    choose_element(scene.bodies[b], draft.bodies[b]);
-    draft.on.push_back(text("finite strain of '", draft.bodies[b].mesh.name, "', ",
-                            draft.bodies[b].element.name, ": ",
-                            draft.bodies[b].material.base.law->name,
-                            ", about 5 tangents a step, each with a factor"));
+    const bool other = choose_element(scene.bodies[b], draft.bodies[b]);
+    draft.on.push_back(text("finite strain of '", draft.bodies[b].mesh.name, "': ",
+                            scene.bodies[b].material.law->name, other ? " in cells q4_bbar" : "",
+                            "; 5 to 15 tangents a step, each with a factor"));
   }
   move_pairs(scene, "finite strain (a material with a law)", true, draft);
 }

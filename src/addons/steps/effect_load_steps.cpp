@@ -131,6 +131,10 @@ void declare_steps(const Scene& scene, Plan& draft) {
   check_path(*scene.path);
   Sorting sorting(scene, draft);
   draft.path = *scene.path;
+  const bool finite =
+      std::any_of(draft.bodies.begin(), draft.bodies.end(), [](const BodyModel& body) {
+        return body.material.base.law != nullptr;
+      });
   draft.on.push_back(text("load steps: ", draft.path.times.size(), " up to time ",
                           draft.path.times.back(), ", one factor for all"));
   for (const History& history : draft.path.histories) {
