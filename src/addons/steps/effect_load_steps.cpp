@@ -136,7 +136,7 @@ void declare_steps(const Scene& scene, Plan& draft) {
         return body.material.base.law != nullptr;
       });
   draft.on.push_back(text("load steps: ", draft.path.times.size(), " up to time ",
-                          draft.path.times.back(), ", one factor for all"));
+                          draft.path.times.back(), finite ? "" : ", one factor for all"));
   for (const History& history : draft.path.histories) {
     const int entries = sorting.entries(history.name);
     draft.on.push_back(text("history '", history.name, "': ", rows_in_words(history), "; ", entries,
