@@ -20,15 +20,6 @@ namespace {
 
 using namespace signorini;
 
-/// A number above 0 that is the whole of a word; nothing if the word is not a number.
-std::optional<double> positive(const std::string& word) {
-  double value = 0;
-  const char* const end = word.data() + word.size();
-  const auto [rest, failed] = std::from_chars(word.data(), end, value);
-  if (failed != std::errc() || rest != end || !(value > 0) || !std::isfinite(value)) return {};
-  return value;
-}
-
 /// A mesh that takes longer is solved only if --unknowns allows it.
 constexpr double unasked_seconds = 10;
 
@@ -59,6 +50,14 @@ std::string by_value(double part, double value, bool column = false) {
 }
 
 }  // namespace
+
+std::optional<double> positive(const std::string& word) {
+  double value = 0;
+  const char* const end = word.data() + word.size();
+  const auto [rest, failed] = std::from_chars(word.data(), end, value);
+  if (failed != std::errc() || rest != end || !(value > 0) || !std::isfinite(value)) return {};
+  return value;
+}
 
 AccuracyRun understood(const AccuracyWish& wish, const SceneRun& run) {
   AccuracyRun accuracy{{}, {}};

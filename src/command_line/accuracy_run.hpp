@@ -2,6 +2,7 @@
 #pragma once
 #include <functional>
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,9 @@
 #include "command_line/scene_run.hpp"
 
 namespace command_line {
+
+/// \param word  of the command line \return the number above 0 that is all of it; nothing if it is none
+[[nodiscard]] std::optional<double> positive(const std::string& word);
 
 /// What the command line asks for, as it was written.
 struct AccuracyWish {

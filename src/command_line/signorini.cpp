@@ -1,10 +1,9 @@
 // The program `signorini`: solves problems from files with the solvers of the book.
 // Run:  signorini plan|solve|lcp|friction|qp FILE [options];  signorini --list | --man | --version
 #include <CLI/CLI.hpp>
-#include <charconv>
-#include <cmath>
 #include <functional>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -241,12 +240,9 @@ void check_solver(const std::string& name, bool family) {
 }
 
 double tolerance_of(const std::string& word) {
-  double value = 0;
-  const char* const end = word.data() + word.size();
-  const auto [rest, failed] = std::from_chars(word.data(), end, value);
-  require_input(failed == std::errc() && rest == end && value > 0 && std::isfinite(value),
-                "--tolerance: expected a number above 0, got '", word, '\'');
-  return value;
+  const std::optional<double> value = command_line::positive(word);
+  require_input(value.has_value(), "--tolerance: expected a number above 0, got '", word, '\'');
+  return *value;
 }
 
 /// The options that ask for no command. \return whether one of them was given

@@ -140,6 +140,33 @@ TEST_CASE("of many full columns those that depend on others are found, and no mo
   }
 }
 
+TEST_CASE("of parts that have no row in common one that depends is found among many that do not",
+          "[active_set]") {
+  Random random(6);
+  for (int trial = 0; trial < 60; ++trial) {
+    const Index parts = random.whole(1, 20);
+    const Index repeats = trial % 3 == 0 ? -1 : random.whole(0, static_cast<int>(parts) - 1);
+    std::vector<SparseEntries> entries;
+    for (Index part = 0; part < parts; ++part)
+      for (Index k = 0, width = part == repeats ? 3 : random.whole(1, 2); k < width; ++k) {
+        entries.emplace_back();
+        for (Index i = 0; i < 2; ++i)  // the rows of a part lie apart, too
+          entries.back().emplace_back(parts * i + part, random.uniform(-1, 1));
+      }
+    const std::vector<SparseEntries> all = null_combinations(entries, 2 * parts, 1e-12);
+    CAPTURE(trial, parts, repeats);
+    REQUIRE(all.size() == (repeats >= 0 ? 1 : 0));
+    if (repeats < 0) continue;
+    REQUIRE(all[0].size() == 3);
+    double sum = 0;
+    for (const auto& [column, factor] : all[0]) {
+      CHECK(entries[static_cast<std::size_t>(column)][0].first == repeats);
+      sum += factor * entries[static_cast<std::size_t>(column)][0].second;
+    }
+    CHECK(std::abs(sum) <= 1e-14);  // three terms below 1: a few roundings of each
+  }
+}
+
 TEST_CASE("two pairs of one node share what presses it", "[active_set][closed-form]") {
   // Both walls push along x: the sum of 3 is given. A wall on the other side takes what the first gives more.
   const MatrixXd same = (MatrixXd(2, 2) << 1, 1, 0, 0).finished();

@@ -73,7 +73,9 @@ TEST_CASE("without clearance the contact angle depends on nothing but the moduli
   CHECK(pin_contact_angle({5, 0, 900, 3, 1.5}) == pin_contact_angle({1, 0, 1, 1, 0.5}));
 }
 
-// A rigid pin in a compressible plate: the reference's integral equation. Its load relation is another one.
+// A rigid pin in a compressible plate: the reference's integral equation. Its load relation is another one. Its pressure is that of
+// Hertz, too, where the contact is small, and has the same force: they differ by 0.26 % at 10 degrees, in proportion to the angle
+// at first, by 0.90 % at 50, where most, and by 0.71 % at 75. So 1 % is the largest difference, with all digits of both.
 TEST_CASE("for a given angle the pressure is good to a percent where the closed form is not exact",
           "[pin][reference]") {
   for (const reference::RigidPin& expected : reference::rigid_pins) {

@@ -126,6 +126,9 @@ double manufactured_error(const Element& element, Index n) {
 
 }  // namespace
 
+// An error C h^(d+1) (1 + c (k h)^2) has the rate d + 1 + log2((1 + c (k h)^2) / (1 + c (k h)^2 / 4)). With c = 1, k = pi of the
+// bend and h = 1/8, that is 0.15 at degree 2, and 0.04 at degree 1 with h = 1/16. Six elements are off by 0.043 (t6), 0.006 (q8)
+// and at most 0.004, and on meshes twice as fine by a third to a quarter of that, as the term says.
 TEST_CASE("every element: displacements converge with degree + 1 on bent meshes",
           "[conformance][rate]") {
   for (const Element& element : chosen(elements())) {

@@ -125,7 +125,10 @@ TEST_CASE("springs without stiffness are none", "[springs]") {
   CHECK(spring_forces(two.model, two.solution).isZero(0));
 }
 
-// What is left of the forces of a rigid motion is rounding of the stiffness; springs must be stiffer than that.
+// What is left of the forces of a rigid motion is rounding of the stiffness; springs must be stiffer than that. 20 rows of 18 entries,
+// at most 4/3 (1000 * 1.5 + 500 / 1.5) / 2 = 1222 and so rounded by up to 1.1e-13, push by up to 4e-11 per length; springs of
+// 20e-11 over an area of 2 push by 4e-10: a tenth if all roundings agree. They do not: 0.4 % at 1e-11, and ten times less with
+// springs ten times as stiff.
 TEST_CASE("springs too soft for the digits of a body that they alone hold are noted", "[springs]") {
   const auto down = [](double softness) {
     Scene scene = loose_block("q4");

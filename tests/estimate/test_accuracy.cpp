@@ -149,6 +149,7 @@ TEST_CASE("a mesh too stiff for contact to close confirms nothing", "[accuracy]"
     return !round.error.has_value();  // contact closed, and was not resolved
   }));
   CHECK(result.rounds[result.rounds.size() - 2].error.has_value());
+  // As accurate as asked for; the reference is five times as accurate.
   CHECK(result.rounds.back().value == Approx(reference).epsilon(0.05).margin(0));
 }
 
@@ -169,6 +170,7 @@ TEST_CASE("coarse meshes that are too stiff are no reason to give up", "[accurac
   fine.bodies[0].element = "q4_incompatible";
   const SolvedScene run = solved(fine, "fine");
   const double reference = value(run.model, run.solution, {"normal_force", NormalForce{}});
+  // As accurate as asked for: cells half as long change the reference by .0001.
   CHECK(result.rounds.back().value == Approx(reference).epsilon(0.05).margin(0));
 }
 
@@ -197,7 +199,8 @@ TEST_CASE("a width and a peak of a whole rim are read where it touches",
   REQUIRE(result.met);
   const LineContact theory{1, 1000 / (1 - 0.09), 3 * pi};
   const double exact = goal == "peak" ? hertz_peak_pressure(theory) : hertz_half_width(theory);
-  // Hertz's bodies are half planes: a disc differs by the square of half-width over radius.
+  // Hertz's bodies are half planes: a disc differs by less than the square of half-width over radius, 0.011. Asked for 0.2 % peaks
+  // end 0.3 % above Hertz's and widths 0.4 % below; together with the 1 % that is asked for here that is less than 2 %.
   CHECK(result.rounds.back().value == Approx(exact).epsilon(0.02).margin(0));
 }
 

@@ -153,6 +153,33 @@ TEST_CASE("without the friction of the pair that is named, beyond its share, the
   CHECK(named > 5);
 }
 
+TEST_CASE("where cohesion leaves open what a sign means, the warning still rests on the set",
+          "[friction][closed-form]") {
+  // tau = -(0.6 lambda + 0.01) closes both gaps with (0.5, 0.04): the matrix [1 - 2 mu, 0.5; 0.5, 1] has the determinant -0.45,
+  // and 0.75 without friction of the first pair, whose own one is 1 - 2 mu = -0.2.
+  MatrixXd F = MatrixXd::Identity(4, 4);
+  F(0, 1) = F(1, 0) = 0.5;
+  F(0, 2) = F(2, 0) = 2;
+  F(2, 2) = 9;
+  const ContactProblem problem{
+      F, Eigen::Vector2d(0.1, -0.29), Eigen::Vector2d(3, 1),
+      law_of_all(Eigen::Vector2d::Constant(0.6), Eigen::Vector2d::Constant(0.01))};
+  Solver forward = friction_solvers().front();
+  forward.solve = [](const ContactProblem& posed, const SolverOptions&) {
+    const ScaledProblem scaled = equilibrate(posed);
+    const std::vector<ContactStatus> statuses(2, ContactStatus::SlipForward);
+    Report report;
+    report.status = SolveStatus::Solved;
+    return finished(posed, scaled, solve_active_set(scaled, statuses), statuses, report);
+  };
+  const ContactState state = solve_with_proofs(problem, forward);
+  REQUIRE(state.report.status == SolveStatus::Solved);
+  CHECK((state.force - Eigen::Vector2d(0.5, 0.04)).norm() <= 1e-14);
+  CHECK(state.uniqueness == Uniqueness::Doubtful);  // the first pair open is another
+  CHECK(state.uniqueness_warning.pair == 0);
+  CHECK(state.uniqueness_warning.determinant == Approx(-0.45 / 0.75).epsilon(1e-14));
+}
+
 TEST_CASE("a solution on the turned branch warns of the others", "[friction][hard]") {
   Matrix2d F;
   F << 1, 2, 2, 9;

@@ -20,7 +20,7 @@ Solver strengthened(const Solver& solver, const ContactProblem& problem) {
   return strong;
 }
 
-/// Forces and movements of a solution in the units of the scaled problem, and the sign of the determinant of its set.
+/// Forces and movements of a solution in the units of the scaled problem.
 ActiveSetSolution solution_of(const ScaledProblem& scaled, const ContactState& state) {
   ActiveSetSolution solution;
   solution.force.resize(scaled.free.size());
@@ -31,20 +31,26 @@ ActiveSetSolution solution_of(const ScaledProblem& scaled, const ContactState& s
   solution.movement.array() *= scaled.scale.array();
   solution.force_rounding = static_cast<double>(scaled.free.size() + scaled.rigid.cols() + 1) *
                             epsilon * largest(solution.force);
-  solution.reversed =
-      active_set_system(scaled, active_set(all_statuses(state), scaled.law)).reversed;
   return solution;
 }
 
+/// The determinant of the set, which takes another factor, decides for held bodies without cohesion only; what a warning rests on
+/// it tells for all.
 void prove_uniqueness(const ContactProblem& problem, ContactState& state) {
   const ScaledProblem scaled =
       problem.resultant.size() > 0 ? equilibrate(problem) : equilibrate_any(problem);
   if (!scaled.symmetric) return;
   const std::vector<ContactStatus> statuses = all_statuses(state);
-  const ActiveSetSolution solution = solution_of(scaled, state);
+  ActiveSetSolution solution = solution_of(scaled, state);
+  const auto factor = [&] {
+    solution.reversed = active_set_system(scaled, active_set(statuses, scaled.law)).reversed;
+  };
+  const bool decides = scaled.rigid.cols() == 0 && scaled.law.cohesion.isZero(0);
+  if (decides) factor();
   state.uniqueness = uniqueness(scaled, statuses, solution);
-  if (state.uniqueness == Uniqueness::Doubtful)
-    state.uniqueness_warning = uniqueness_warning(scaled, statuses, solution);
+  if (state.uniqueness != Uniqueness::Doubtful) return;
+  if (!decides) factor();
+  state.uniqueness_warning = uniqueness_warning(scaled, statuses, solution);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "signorini/core/dense.hpp"
+#include "signorini/core/disjoint_sets.hpp"
 #include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"
 
@@ -16,17 +17,52 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
-/// Whether columns that fill most of a matrix are independent beyond doubt: if E^T E, of columns of length 1, is positive definite
-/// less what rounding can be. Elimination of such columns takes longer than to solve their problem.
-bool surely_independent(const SparseMatrix& E) {
+/// Columns that hang together by their rows, and how many rows and entries these columns have.
+struct Part {
+  std::vector<Index> columns = {};
+  Index rows = 0, entries = 0;
+};
+
+/// Whether columns are independent beyond doubt: if E^T E, of columns of length 1, is positive definite less what rounding can be.
+bool surely_independent(MatrixXd E) {
   const Index n = E.cols();
-  if (n > E.rows() || 2 * E.nonZeros() < n * E.rows()) return false;
-  MatrixXd full = E;
-  for (auto column : full.colwise()) column.normalize();
-  MatrixXd products = full.transpose() * full;
+  for (auto column : E.colwise()) column.normalize();
+  MatrixXd products = E.transpose() * E;
   products.diagonal().array() -=
       static_cast<double>(n) * static_cast<double>(n + E.rows()) * epsilon;
   return CholeskyFactor(products).positive();
+}
+
+/// The same part by part, as columns that have no row in common cannot depend on each other: nodes that meet rigid obstacles are
+/// parts of at most two rows. Only where a part is mostly filled: elimination of such columns takes longer than to solve their
+/// problem, and elsewhere it is cheap.
+bool surely_independent_by_parts(const SparseMatrix& E) {
+  DisjointSets sets(E.cols());
+  std::vector<Index> first(at(E.rows()), -1), place(at(E.rows()));  // column, number in its part
+  for (Index j = 0; j < E.cols(); ++j)
+    for (SparseMatrix::InnerIterator it(E, j); it; ++it) {
+      Index& column = first[at(it.row())];
+      if (column < 0) column = j;
+      sets.join(column, j);
+    }
+  std::vector<Part> parts(at(E.cols()));
+  for (Index j = 0; j < E.cols(); ++j) {
+    Part& part = parts[at(sets.name(j))];
+    part.columns.push_back(j);
+    part.entries += E.col(j).nonZeros();
+  }
+  for (Index i = 0; i < E.rows(); ++i)
+    if (first[at(i)] >= 0) place[at(i)] = parts[at(sets.name(first[at(i)]))].rows++;
+  return std::all_of(parts.begin(), parts.end(), [&](const Part& part) {
+    const Index n = static_cast<Index>(part.columns.size());
+    if (n == 0) return true;
+    if (n > part.rows || 2 * part.entries < n * part.rows) return false;
+    MatrixXd full = MatrixXd::Zero(part.rows, n);
+    for (Index k = 0; k < n; ++k)
+      for (SparseMatrix::InnerIterator it(E, part.columns[at(k)]); it; ++it)
+        full(place[at(it.row())], k) = it.value();
+    return surely_independent(std::move(full));
+  });
 }
 
 /// The combination of a column with those that it depends on, by their factors.
@@ -54,7 +90,7 @@ std::vector<SparseEntries> null_combinations(const std::vector<SparseEntries>& c
   }
   SparseMatrix E(rows, unit.size());
   E.setFromTriplets(entries.begin(), entries.end());
-  if (unit.size() == 0 || surely_independent(E)) return {};
+  if (surely_independent_by_parts(E)) return {};
   Eigen::SparseQR<SparseMatrix, Eigen::COLAMDOrdering<int>> qr;
   qr.setPivotThreshold(share);
   qr.compute(E);

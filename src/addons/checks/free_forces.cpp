@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 
+#include "signorini/core/disjoint_sets.hpp"
 #include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"
 
@@ -89,21 +89,15 @@ bool FreeForces::sticks(Index pair) const { return sticks_[at(pair)]; }
 
 std::vector<SharedForces> FreeForces::groups() const {
   const std::vector<SparseEntries> all = exchanges();
-  std::vector<Index> leader(at(pairs_));  // of the group of each pair
-  std::iota(leader.begin(), leader.end(), Index{0});
-  const auto find = [&](Index pair) {
-    while (leader[at(pair)] != pair) pair = leader[at(pair)] = leader[at(leader[at(pair)])];
-    return pair;
-  };
+  DisjointSets sets(pairs_);
   const auto pair_of = [&](const std::pair<Index, double>& entry) {
     return free_[at(entry.first)].pair;
   };
   for (const SparseEntries& exchange : all)
-    for (const auto& entry : exchange)
-      leader[at(find(pair_of(entry)))] = find(pair_of(exchange.front()));
+    for (const auto& entry : exchange) sets.join(pair_of(entry), pair_of(exchange.front()));
   std::map<Index, std::vector<SparseEntries>> members;
   for (const SparseEntries& exchange : all)
-    members[find(pair_of(exchange.front()))].push_back(exchange);
+    members[sets.name(pair_of(exchange.front()))].push_back(exchange);
   std::vector<SharedForces> groups;
   for (const auto& [first, exchanges_of_group] : members)
     groups.push_back(group_of(exchanges_of_group));

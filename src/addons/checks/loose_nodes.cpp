@@ -14,9 +14,9 @@
 #include "addons/checks/loose_nodes.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "signorini/core/index.hpp"
+#include "signorini/fem/far.hpp"
 #include "signorini/fem/side_curve.hpp"
 #include "signorini/pairing/side_tree.hpp"
 
@@ -27,17 +27,6 @@ using Eigen::Index;
 
 /// What is nearer than that, measured by the sides of the cells there, is in one place.
 constexpr double nearness = 1e-3;
-
-/// Not the mean: a long thin cell would allow what is far for its short sides.
-double shortest_side(const Mesh& mesh, Index cell) {
-  double shortest = std::numeric_limits<double>::infinity();
-  const int corners = mesh.corners(cell);
-  for (int k = 0; k < corners; ++k)
-    shortest = std::min(shortest, (mesh.nodes.row(mesh.cells(cell, (k + 1) % corners)) -
-                                   mesh.nodes.row(mesh.cells(cell, k)))
-                                      .norm());
-  return shortest;
-}
 
 /// The outer sides in a tree of boxes, and how near is near at each of their nodes.
 ///
@@ -53,6 +42,7 @@ class Outline {
     std::vector<SideBox> leaves;
     for (const CellSide& side : sides_) {
       curves_.emplace_back(mesh, side);
+      // Not the mean: a long thin cell would allow what is far for its short sides.
       const double reach = nearness * shortest_side(mesh, side.cell);
       for (const Index node : curves_.back().nodes()) {
         double& own = reach_[at(node)];

@@ -26,6 +26,7 @@
 #include <utility>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/wording.hpp"
 
 namespace signorini {
 namespace {
@@ -53,17 +54,6 @@ std::errc read_number(std::string_view digits, double& result) {
 using Eigen::Index;
 
 constexpr std::string_view blanks = " \t\r\v\f";
-
-// A word as a message may show it: short, and without characters that are not printed.
-// If the user names a picture by mistake, its first "word" may be the whole file. A message shows
-// 40 characters of it.
-std::string shown(std::string_view word) {
-  constexpr std::size_t longest = 40;
-  std::string result(word.substr(0, longest));
-  std::replace_if(
-      result.begin(), result.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-  return "'" + result + (word.size() > longest ? "...'" : "'");
-}
 
 // Number of the words of a line. \param line  without its comment
 // The message about a row with too few or too many numbers says how many there are.
@@ -204,7 +194,7 @@ void TextReader::fail(const std::string& expected, std::string_view got) const {
       got.empty() && text_.find_first_not_of(" \t\r\v\f\n") == std::string_view::npos;
   const bool tells = expected.find("expected ") != std::string::npos;
   fail((tells ? "" : "expected ") + expected + ", got " +
-       (!got.empty() ? shown(got)
+       (!got.empty() ? in_quotes(got)
         : ended      ? "the end of the file"
                      : "the end of the line"));
 }

@@ -26,18 +26,24 @@ double distance_from_origin(const NodeArray& nodes) {
   return low.cwiseMax(-high).cwiseMax(0).norm();
 }
 
+/// Chords will do: a bent side is longer, and what is asked is how short a side is.
+double shortest_side(const Mesh& mesh, Index cell) {
+  double shortest = std::numeric_limits<double>::infinity();
+  const int corners = mesh.corners(cell);
+  for (int k = 0; k < corners; ++k)
+    shortest = std::min(shortest, (mesh.nodes.row(mesh.cells(cell, (k + 1) % corners)) -
+                                   mesh.nodes.row(mesh.cells(cell, k)))
+                                      .norm());
+  return shortest;
+}
+
 /// The worst of both: the largest coordinate and the shortest side, even if they are not
 /// neighbours.
 double direction_rounding(const Mesh& mesh) {
-  double shortest = std::numeric_limits<double>::infinity();  // its square
-  for (Index cell = 0; cell < mesh.n_cells(); ++cell) {
-    const int corners = mesh.corners(cell);
-    for (int k = 0; k < corners; ++k)
-      shortest = std::min(shortest, (mesh.nodes.row(mesh.cells(cell, (k + 1) % corners)) -
-                                     mesh.nodes.row(mesh.cells(cell, k)))
-                                        .squaredNorm());
-  }
-  return epsilon * (1 + ratio(mesh.nodes.cwiseAbs().maxCoeff(), std::sqrt(shortest)));
+  double shortest = std::numeric_limits<double>::infinity();
+  for (Index cell = 0; cell < mesh.n_cells(); ++cell)
+    shortest = std::min(shortest, shortest_side(mesh, cell));
+  return epsilon * (1 + ratio(mesh.nodes.cwiseAbs().maxCoeff(), shortest));
 }
 
 }  // namespace signorini

@@ -14,6 +14,10 @@ namespace signorini {
 /// \return distance of the origin from the box around them; 0 if it lies inside [length]
 [[nodiscard]] double distance_from_origin(const NodeArray& nodes);
 
+/// \param mesh  whose cells refer to existing nodes \param cell  any
+/// \return the shortest of its sides, each from corner to corner [length]
+[[nodiscard]] double shortest_side(const Mesh& mesh, Eigen::Index cell);
+
 /// How well a mesh knows the directions of its sides: the largest coordinate is rounded the most, and the shortest side
 /// turns the most by it.
 /// \param mesh  whose cells refer to existing nodes

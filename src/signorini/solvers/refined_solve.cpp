@@ -38,53 +38,32 @@ using Eigen::VectorXd;
 // solution.
 constexpr int most_changes = 3;
 
-// Whether a claim has numbers to begin with. A proof that nothing solves the problem has none. A
-// method that broke down may still have the right statuses of its pairs, and refinement will show
-// it.
-bool usable(const ContactState& claim, Index pairs) {
-  const SolveStatus status = claim.report.status;
-  return status != SolveStatus::Infeasible && status != SolveStatus::Feasible &&
-         claim.force.size() == pairs && claim.force.allFinite() && claim.friction.allFinite() &&
-         claim.amplitude.allFinite();
-}
-
-// Refines a claim, and the sets that it asks for; the best certificate counts. The second set is
-// not always better than the first. So the end keeps the numbers with the smallest worst figure,
-// and a confirmed set replaces them in any case. An end that was never certified has infinite
-// figures, so that the first set that is refined is kept whatever its figures are. Refinement that
-// does not settle is not tried with other statuses.
+// Refines a claim, and the sets that it asks for. Each begins with the forces and displacements of
+// the one before, so that few sweeps are needed. Refinement that does not settle is not tried with
+// other statuses.
 void refine(const RefinementData& data, const VectorXd& free_displacement, Ledger& ledger,
             RefinedEnd& end) {
   const Ledger::Phase phase(ledger, "refinement");
-  const FrictionLaw& law = data.condensed.law;
   std::vector<ContactStatus> statuses = all_statuses(end.state);
   VectorXd force(end.state.force.size() + end.state.friction.size());
   force << end.state.force, end.state.friction;
-  VectorXd amplitude = VectorXd::Zero(data.null_vectors.cols());
-  PrimalDual now{free_displacement, {}, VectorXd::Zero(force.size())};
+  RefinedSets sets{data,
+                   ledger,
+                   end,
+                   {free_displacement, {}, VectorXd::Zero(force.size())},
+                   VectorXd::Zero(data.null_vectors.cols())};
   // A motion that the closed pairs leave open must begin where the claim has it.
-  if (amplitude.size() > 0 && end.state.report.status == SolveStatus::Solved) {
-    amplitude = end.state.amplitude;
-    add_rigid(now, data.null_vectors, amplitude);
+  if (sets.amplitude.size() > 0 && end.state.report.status == SolveStatus::Solved) {
+    sets.amplitude = end.state.amplitude;
+    add_rigid(sets.now, data.null_vectors, sets.amplitude);
   }
   for (int change = 0; change <= most_changes; ++change) {
-    RefinedSolution refined = iterative_refinement(data, std::move(now), force, statuses);
-    ledger.count("sets", 1);
-    ledger.count("solves", refined.solves);
-    amplitude += refined.amplitude;
-    const SignCheck signs = check_signs(data, refined, statuses);
-    now = std::move(refined.solution);
-    force = now.force;
-    const Certificate certificate = certify(data.programme, now, law);
-    if (signs.confirmed || !(end.certificate.worst() <= certificate.worst())) {
-      end.certificate = certificate;
-      end.solution = now;
-      end.state.amplitude = amplitude;
-      fill_state(law, statuses, force, refined.movement, end.state);
-    }
-    if (signs.wrong == 0 || !refined.settled || end.certificate.holds()) break;
+    const SignCheck signs = sets.refine(statuses, force);
+    if (signs.wrong == 0 || !sets.last.settled || end.certificate.holds()) break;
     statuses = signs.statuses;
+    force = sets.now.force;
   }
+  fill_state(data.condensed.law, sets.statuses, end.solution.force, sets.best.movement, end.state);
 }
 
 // What one member has to say, and what refinement makes of it. The member is asked alone, without
@@ -116,6 +95,39 @@ RefinedEnd claimed(const RefinementData& data, const CondensedProgramme& condens
 }
 
 }  // namespace
+
+// Whether a claim has numbers to begin with. A proof that nothing solves the problem has none. A
+// method that broke down may still have the right statuses of its pairs, and refinement will show
+// it.
+bool usable(const ContactState& claim, Index pairs) {
+  const SolveStatus status = claim.report.status;
+  return status != SolveStatus::Infeasible && status != SolveStatus::Feasible &&
+         claim.unbounded_direction.size() == 0 && claim.force.size() == pairs &&
+         claim.force.allFinite() && claim.friction.allFinite() && claim.amplitude.allFinite();
+}
+
+// The second set is not always better than the first. So the end keeps the numbers with the smallest
+// worst figure, and a confirmed set replaces them in any case. An end that was never certified has
+// infinite figures, so that the first set that is refined is kept whatever its figures are.
+SignCheck RefinedSets::refine(const std::vector<ContactStatus>& of, const VectorXd& force) {
+  last = iterative_refinement(data, std::move(now), force, of);
+  ledger.count("sets", 1);
+  ledger.count("solves", last.solves);
+  amplitude += last.amplitude;
+  SignCheck signs = check_signs(data, last, of);
+  now = std::move(last.solution);
+  const Certificate certificate = certify(data.programme, now, data.condensed.law);
+  if (signs.confirmed || !(end.certificate.worst() <= certificate.worst())) {
+    end.certificate = certificate;
+    end.solution = now;
+    end.state.amplitude = amplitude;
+    statuses = of;
+    best.movement = last.movement;
+    best.system = last.system;
+    confirmed = signs.confirmed;
+  }
+  return signs;
+}
 
 // Refined forces of pairs that hardly press may be negative by rounding. A reader who sees -1e-17
 // asks why contact pulls. Such forces become zero if the certificate still holds.

@@ -33,6 +33,27 @@ struct RefinedEnd {
   Certificate certificate = uncertified();  ///< of `solution`, from the original data
 };
 
+/// Sets of closed pairs that are refined one after the other, each from where the one before ended. The best certificate counts.
+struct RefinedSets {
+  RefinementData data;  ///< the problem
+  Ledger& ledger;       ///< gets counts of sets and solves
+  RefinedEnd& end;      ///< gets solution, certificate and amplitude of the best set
+  PrimalDual now;       ///< where the last set ended; to begin with, u without contact and no force
+  Eigen::VectorXd amplitude;  ///< of the rigid motions that have gone into `now` `n_r`
+  RefinedSolution last = {};  ///< the last set; its solution has become `now`
+  RefinedSolution best = {};  ///< movement and system of the best set
+  std::vector<ContactStatus> statuses = {};  ///< `n_c` of the best set; empty before the first
+  bool confirmed = false;                    ///< whether all signs of the best set are right
+
+  /// Refines one more set; it is the best if all its signs are right, or if no certificate before was better.
+  /// \param of     statuses `n_c` \param force  of all rows, to begin with [force] \return what check_signs() says
+  SignCheck refine(const std::vector<ContactStatus>& of, const Eigen::VectorXd& force);
+};
+
+/// Whether a claim is worth refining. A proof that nothing solves the problem has no numbers; a method that broke down may still
+/// have the right statuses of its pairs. \param claim  what a solver says \param pairs  of its problem \return whether
+[[nodiscard]] bool usable(const ContactState& claim, Eigen::Index pairs);
+
 /// Solves a condensed programme: the members of a portfolio claim, the certificate decides.
 ///
 /// The member, then those that it names in `others`, are asked one by one. What a member hands on are numbers: the statuses
