@@ -4,7 +4,8 @@
 #
 # A row of DECKS/references is `quantity | reference | where the reference stands`, with a fourth part if it has a tolerance of its own, or `differs: why`.
 # A quantity is `WHAT of WHOM`, and behind that, where it has a meaning, ` at PLACE`, ` time T` and ` over W`, by which ours is divided:
-#   u_x u_y s_xx s_yy s_xy of BODY at x,y      displacement or stress at the node that was there before loading
+#   u_x u_y of BODY at x,y                     displacement of the node that was there before loading; ` turned A`: in a scene that is turned back by A degrees
+#   s_xx s_yy s_xy of BODY at x,y              stress there
 #   R_x R_y of BODY                            what its supports bear
 #   F_x F_y peak normal_force closed of SOURCE sums of the contact of that source
 #   pressure force gap slip slip_total shear_force shear_traction of SOURCE at x or x,y    a column of the nearest pair, where it stands now
@@ -107,11 +108,17 @@ sub root_mean_square {
 
 sub ours {
     my ($steps, $asked) = @_;
-    my ($what, $whom, $place, $time, $over) = $asked =~ /^(\w+) of (\S+?)(?: at (\S+))?(?: time (\S+))?(?: over (\S+))?$/ or die "'$asked': expected WHAT of WHOM at PLACE time T over W\n";
+    my ($what, $whom, $place, $turned, $time, $over) = $asked =~ /^(\w+) of (\S+?)(?: at (\S+))?(?: turned (\S+))?(?: time (\S+))?(?: over (\S+))?$/
+        or die "'$asked': expected WHAT of WHOM at PLACE turned A time T over W\n";
     my ($step) = defined $time ? grep({ abs($_->{time} - $time) < 1e-9 } @$steps) : $steps->[-1];
     die "no step at time $time\n" if !$step;
     my $value;
-    if ($column{$what}) { $value = of_pair($step, $whom, $place // die("'$asked': where?\n"), $what) }
+    if (defined $turned) {
+        my ($x, $y) = map { at_node($step, $whom, $place, 'displacement', $_) } 0, 1;
+        my $angle = $turned * atan2(1, 1) / 45;
+        $value = $what eq 'u_x' ? $x * cos($angle) - $y * sin($angle) : $x * sin($angle) + $y * cos($angle);
+    }
+    elsif ($column{$what}) { $value = of_pair($step, $whom, $place // die("'$asked': where?\n"), $what) }
     elsif ($field{$what}) { $value = at_node($step, $whom, $place // die("'$asked': where?\n"), @{ $field{$what} }) }
     elsif ($sum{$what}) {
         my ($contact) = grep { $_->{name} =~ /^\Q$whom\E on / } @{ $step->{contacts} } or die "no contact of '$whom'\n";
