@@ -9,7 +9,7 @@
 #   R_x R_y of BODY                            what its supports bear
 #   F_x F_y peak normal_force closed of SOURCE sums of the contact of that source
 #   pressure force gap slip slip_total shear_force shear_traction of SOURCE at x or x,y    a column of the nearest pair, where it stands now
-#   rms of all                                 root of the mean square of all components of displacement of all nodes
+#   rms of BODY                                root of the mean square of all components of displacement of its nodes
 use strict;
 use warnings;
 use File::Basename;
@@ -69,12 +69,17 @@ sub pieces {    # of a VTU file, a body each: name of an array -> its numbers
     return $step->{pieces} = \@all;
 }
 
-sub at_node {    # a component of a field of a body
-    my ($step, $body, $place, $field, $component) = @_;
+sub piece_of {    # a body
+    my ($step, $body) = @_;
     my @names = map { $_->{name} } @{ $step->{bodies} };
     my ($k) = grep { $names[$_] eq $body } 0 .. $#names;
     die "no body '$body'; there are: @names\n" if !defined $k;
-    my $piece = pieces($step)->[$k];
+    return pieces($step)->[$k];
+}
+
+sub at_node {    # a component of a field of a body
+    my ($step, $body, $place, $field, $component) = @_;
+    my $piece = piece_of($step, $body);
     my ($x, $y) = split /,/, $place;
     my ($points, $nearest, $least) = ($piece->{points}, 0, 'inf');
     for my $i (0 .. @$points / 3 - 1) {
@@ -100,10 +105,9 @@ sub of_pair {    # a column of the nearest pair of a source
 }
 
 sub root_mean_square {
-    my ($step) = @_;
-    my ($sum, $n) = (0, 0);
-    for my $u (map { $_->{displacement} } @{ pieces($step) }) { for my $i (0 .. @$u / 3 - 1) { $sum += $u->[3 * $i]**2 + $u->[3 * $i + 1]**2; $n += 2 } }
-    return sqrt($sum / $n);
+    my ($u, $sum) = (piece_of(@_)->{displacement}, 0);
+    $sum += $_**2 for @$u;    # the third component is 0
+    return sqrt($sum / (2 * @$u / 3));
 }
 
 sub ours {
@@ -129,7 +133,7 @@ sub ours {
         my ($body) = grep { $_->{name} eq $whom } @{ $step->{bodies} } or die "no body '$whom'\n";
         $value = $body->{supports}[$1 eq 'y'];
     }
-    elsif ($what eq 'rms') { $value = root_mean_square($step) }
+    elsif ($what eq 'rms') { $value = root_mean_square($step, $whom) }
     die "'$asked': unknown quantity\n" if !defined $value;
     return $value / ($over // 1);
 }
