@@ -1,6 +1,7 @@
 #!/usr/bin/env perl
 # deck.pl PROGRAM DECKS FOLDER NAME: solves the scene DECKS/NAME.toml with PROGRAM, the command `signorini`, in FOLDER, and compares it with DECKS/references.
 # deck.pl PROGRAM DECKS FOLDER --update: does so with all of them and writes the table of DECKS/README.md anew.
+# deck.pl PROGRAM DECKS FOLDER --check: no scene, mesh or row of that table is without its deck.
 #
 # A row of DECKS/references is `quantity | reference | where the reference stands`, with a fourth part if it has a tolerance of its own, or `differs: why`.
 # A quantity is `WHAT of WHOM`, and behind that, where it has a meaning, ` at PLACE`, ` time T` and ` over W`, by which ours is divided:
@@ -185,6 +186,14 @@ if ($asked eq '--update') {
     print $out $text;
     close $out or die "deck.pl: $readme: $!\n";
     exit 0;
+}
+if ($asked eq '--check') {
+    my %used = map { $_ => 1 } map { ("$_.toml", slurp("$decks/$_.toml") =~ /file = "([^"]+)"/g) } @$order;
+    my @idle = grep { !$used{$_} } map { basename($_) } glob("$decks/*.toml $decks/*.msh");
+    my @told = slurp($readme) =~ /^\| \[(\w+)\]\(/mg;
+    print "no deck of references needs $_\n" for @idle;
+    print "the table of README.md has other decks than references, or in another order: run --update\n" if "@told" ne "@$order";
+    exit(@idle || "@told" ne "@$order" ? 1 : 0);
 }
 die "deck.pl: no deck '$asked' in references\n" if !$deck->{$asked};
 my @rows = compared($asked, $deck->{$asked});
