@@ -153,9 +153,11 @@ sub compared {    # rows with what is ours and how much of the tolerance it take
     return @rows;
 }
 
-sub table_row {    # of README.md: the quantity that is worst within, and how many there are
+sub weight { my ($row) = @_; return $row->{part} < 0.1 ? 0 : sprintf '%.1e', $row->{part} }    # rounding decides nothing
+
+sub table_row {    # of README.md: the quantity that is worst within, the first of several, and how many there are
     my ($name, $deck, @rows) = @_;
-    my ($worst) = sort { $b->{part} <=> $a->{part} } grep { !$_->{differs} } @rows;
+    my ($worst) = sort { weight($b) <=> weight($a) } grep { !$_->{differs} } @rows;
     my @outside = grep { $_->{differs} } @rows;
     my $shown = $worst // $outside[0];
     my $agree = @rows - @outside;
