@@ -1,0 +1,212 @@
+#!/usr/bin/env perl
+# deck.pl PROGRAM DECKS FOLDER NAME: solves the scene DECKS/NAME.toml with PROGRAM, the command `signorini`, in FOLDER, and compares it with DECKS/references.
+# deck.pl PROGRAM DECKS FOLDER --update: does so with all of them and writes the table of DECKS/README.md anew.
+# deck.pl PROGRAM DECKS FOLDER --check: no scene, mesh or row of that table is without its deck.
+#
+# A row of DECKS/references is `quantity | reference | where the reference stands`, with a fourth part if it has a tolerance of its own, or `differs: why`.
+# A quantity is `WHAT of WHOM`, and behind that, where it has a meaning, ` at PLACE`, ` time T` and ` over W`, by which ours is divided:
+#   u_x u_y of BODY at x,y                     displacement of the node that was there before loading; ` turned A`: in a scene that is turned back by A degrees
+#   s_xx s_yy s_xy of BODY at x,y              stress there
+#   R_x R_y of BODY                            what its supports bear
+#   F_x F_y peak normal_force closed of SOURCE sums of the contact of that source
+#   pressure force gap slip slip_total shear_force shear_traction of SOURCE at x or x,y    a column of the nearest pair, where it stands now
+#   rms of BODY                                root of the mean square of all components of displacement of its nodes
+use strict;
+use warnings;
+use File::Basename;
+use File::Path qw(make_path remove_tree);
+use lib dirname(__FILE__) . '/../docs';
+use Json;
+
+my ($program, $decks, $folder, $asked) = @ARGV;
+die "deck.pl PROGRAM DECKS FOLDER NAME\n" if !defined $asked;
+my %column = map { $_ => 1 } qw(pressure force gap slip slip_total shear_force shear_traction);
+my %sum = (F_x => ['force', 0], F_y => ['force', 1], peak => ['peak_pressure'], normal_force => ['normal_force'], closed => ['closed']);
+my %field = (u_x => ['displacement', 0], u_y => ['displacement', 1], s_xx => ['stress', 0], s_yy => ['stress', 1], s_xy => ['stress', 3]);
+
+sub slurp { my ($file) = @_; open my $in, '<', $file or die "deck.pl: $file: $!\n"; local $/; return scalar <$in> }
+sub words { return grep { length } split ' ', $_[0] }
+
+sub references {    # name -> what the file says of that deck, and the order of the names
+    my (%deck, @order, $name);
+    for (split /\n/, slurp("$decks/references")) {
+        next if /^\s*(#|$)/;
+        if (/^\[(\w+)\]$/) { $name = $1; push @order, $name; $deck{$name} = { rows => [] }; next }
+        die "deck.pl: references: no deck before '$_'\n" if !defined $name;
+        if (/^(project|source|shows|tolerance)\s*=\s*(\S.*)$/) { $deck{$name}{$1} = $2; next }
+        my @part = split /\s*\|\s*/;
+        die "deck.pl: references: $name: expected quantity | reference | where, got '$_'\n" if @part < 3;
+        push @{ $deck{$name}{rows} }, { asked => $part[0], reference => $part[1], where => $part[2], map { /^differs: (.*)/ ? (differs => $1) : (tolerance => $_) } @part[3 .. $#part] };
+    }
+    for (@order) { die "deck.pl: references: $_ lacks project, source, shows, tolerance or rows\n" if grep({ !defined } @{ $deck{$_} }{qw(project source shows tolerance)}) || !@{ $deck{$_}{rows} } }
+    return (\%deck, \@order);
+}
+
+sub solved {    # the document of the program, the steps of it and their VTU files
+    my ($name) = @_;
+    make_path($folder);
+    my $vtu = "$folder/$name.vtu";
+    unlink glob("$folder/${name}*.vtu"), "$folder/$name.pvd";
+    open my $run, '-|', $program, 'solve', "$decks/$name.toml", '--json', '--vtu', $vtu or die "deck.pl: $program: $!\n";
+    my $said = do { local $/; <$run> };
+    close $run;
+    die "deck.pl: $name is not solved, exit code ", $? >> 8, "\n" if $?;
+    my $read = Json::decode($said);
+    my @steps = $read->{steps} ? @{ $read->{steps} } : ($read);
+    for my $k (0 .. $#steps) { $steps[$k]{vtu} = $read->{steps} ? sprintf("$folder/%s_%04d.vtu", $name, $k + 1) : $vtu }
+    return \@steps;
+}
+
+sub pieces {    # of a VTU file, a body each: name of an array -> its numbers
+    my ($step) = @_;
+    return $step->{pieces} if $step->{pieces};
+    my $text = slurp($step->{vtu});
+    my @all;
+    while ($text =~ m{<Piece\b.*?</Piece>}gs) {
+        my ($piece, %array) = ($&);
+        while ($piece =~ m{<DataArray[^>]*Name="(displacement|stress|points)"[^>]*>\s*(.*?)</DataArray>}gs) { $array{$1} = [words($2)] }
+        push @all, \%array;
+    }
+    return $step->{pieces} = \@all;
+}
+
+sub piece_of {    # a body
+    my ($step, $body) = @_;
+    my @names = map { $_->{name} } @{ $step->{bodies} };
+    my ($k) = grep { $names[$_] eq $body } 0 .. $#names;
+    die "no body '$body'; there are: @names\n" if !defined $k;
+    return pieces($step)->[$k];
+}
+
+sub at_node {    # a component of a field of a body
+    my ($step, $body, $place, $field, $component) = @_;
+    my $piece = piece_of($step, $body);
+    my ($x, $y) = split /,/, $place;
+    my ($points, $nearest, $least) = ($piece->{points}, 0, 'inf');
+    for my $i (0 .. @$points / 3 - 1) {
+        my $square = ($points->[3 * $i] - $x)**2 + ($points->[3 * $i + 1] - $y)**2;
+        ($nearest, $least) = ($i, $square) if $square < $least;
+    }
+    die sprintf("no node of '%s' at %s, the nearest is %g away\n", $body, $place, sqrt $least) if sqrt($least) > 1e-6 * (1 + abs($x) + abs($y));
+    my $values = $piece->{$field};
+    return $values->[@$values / (@$points / 3) * $nearest + $component];
+}
+
+sub of_pair {    # a column of the nearest pair of a source
+    my ($step, $source, $place, $column) = @_;
+    my $pairs = $step->{pairs};
+    my @contacts = map { $_->{name} } @{ $step->{contacts} };
+    my @mine = grep { !$pairs->{contact} || $pairs->{contact}[$_] =~ /^\Q$source\E on / } 0 .. $#{ $pairs->{x} };
+    die "no pair of '$source'; contacts are: @contacts\n" if !@mine;
+    my ($x, $y) = split /,/, $place;
+    my %away = map { $_ => ($pairs->{x}[$_] - $x)**2 + (defined $y ? ($pairs->{y}[$_] - $y)**2 : 0) } @mine;
+    my ($nearest) = sort { $away{$a} <=> $away{$b} || $a <=> $b } @mine;
+    die "no column '$column'\n" if !$pairs->{$column};
+    return $pairs->{$column}[$nearest];
+}
+
+sub root_mean_square {
+    my ($u, $sum) = (piece_of(@_)->{displacement}, 0);
+    $sum += $_**2 for @$u;    # the third component is 0
+    return sqrt($sum / (2 * @$u / 3));
+}
+
+sub ours {
+    my ($steps, $asked) = @_;
+    my ($what, $whom, $place, $turned, $time, $over) = $asked =~ /^(\w+) of (\S+?)(?: at (\S+))?(?: turned (\S+))?(?: time (\S+))?(?: over (\S+))?$/
+        or die "'$asked': expected WHAT of WHOM at PLACE turned A time T over W\n";
+    my ($step) = defined $time ? grep({ abs($_->{time} - $time) < 1e-9 } @$steps) : $steps->[-1];
+    die "no step at time $time\n" if !$step;
+    my $value;
+    if (defined $turned) {
+        my ($x, $y) = map { at_node($step, $whom, $place, 'displacement', $_) } 0, 1;
+        my $angle = $turned * atan2(1, 1) / 45;
+        $value = $what eq 'u_x' ? $x * cos($angle) - $y * sin($angle) : $x * sin($angle) + $y * cos($angle);
+    }
+    elsif ($column{$what}) { $value = of_pair($step, $whom, $place // die("'$asked': where?\n"), $what) }
+    elsif ($field{$what}) { $value = at_node($step, $whom, $place // die("'$asked': where?\n"), @{ $field{$what} }) }
+    elsif ($sum{$what}) {
+        my ($contact) = grep { $_->{name} =~ /^\Q$whom\E on / } @{ $step->{contacts} } or die "no contact of '$whom'\n";
+        my ($key, $component) = @{ $sum{$what} };
+        $value = defined $component ? $contact->{$key}[$component] : $contact->{$key};
+    }
+    elsif ($what =~ /^R_([xy])$/) {
+        my ($body) = grep { $_->{name} eq $whom } @{ $step->{bodies} } or die "no body '$whom'\n";
+        $value = $body->{supports}[$1 eq 'y'];
+    }
+    elsif ($what eq 'rms') { $value = root_mean_square($step, $whom) }
+    die "'$asked': unknown quantity\n" if !defined $value;
+    return $value / ($over // 1);
+}
+
+sub allowed { my ($tolerance, $reference) = @_; return $tolerance =~ /^(\S+) %$/ ? $1 / 100 * abs($reference) : $tolerance }
+
+sub compared {    # rows with what is ours and how much of the tolerance it takes
+    my ($name, $deck) = @_;
+    my $steps = solved($name);
+    my @rows = @{ $deck->{rows} };
+    for (@rows) {
+        $_->{ours} = eval { ours($steps, $_->{asked}) };
+        die "deck.pl: $name: $@" if $@;
+        $_->{part} = abs($_->{ours} - $_->{reference}) / allowed($_->{tolerance} // $deck->{tolerance}, $_->{reference});
+    }
+    return @rows;
+}
+
+sub weight { my ($row) = @_; return $row->{part} < 0.1 ? 0 : sprintf '%.1e', $row->{part} }    # rounding decides nothing
+
+sub table_row {    # of README.md: the quantity that is worst within, the first of several, and how many there are
+    my ($name, $deck, @rows) = @_;
+    my ($worst) = sort { weight($b) <=> weight($a) } grep { !$_->{differs} } @rows;
+    my @outside = grep { $_->{differs} } @rows;
+    my $shown = $worst // $outside[0];
+    my $agree = @rows - @outside;
+    return sprintf("| [%s](%s.toml) | %s | %s | %s | %.6g | %.6g | %s | %d of %d |\n", $name, $name, $deck->{project}, $deck->{shows}, $shown->{asked}, $shown->{reference}, $shown->{ours},
+        $shown->{tolerance} // $deck->{tolerance}, $agree, scalar @rows);
+}
+
+sub alike {    # two rows of the table: the same words, and numbers that differ in the last digits at most
+    my @one = split /(?<=[ |])/, $_[0];
+    my @two = split /(?<=[ |])/, $_[1];
+    return 0 if @one != @two;
+    for (0 .. $#one) {
+        next if $one[$_] eq $two[$_];
+        my ($p, $q) = map { /^(-?\d[\d.]*(?:e[-+]\d+)?) $/ ? $1 : return 0 } $one[$_], $two[$_];
+        return 0 if abs($p - $q) > 2e-5 * abs($p);
+    }
+    return 1;
+}
+
+my ($deck, $order) = references();
+my $readme = "$decks/README.md";
+if ($asked eq '--update') {
+    my $table = "| deck | project | what it shows | worst within the tolerance | reference | ours | tolerance | agree |\n|:--|:--|:--|:--|--:|--:|--:|--:|\n";
+    $table .= table_row($_, $deck->{$_}, compared($_, $deck->{$_})) for @$order;
+    my $text = slurp($readme);
+    $text =~ s/(<!-- decks -->\n\n).*?(\n<!-- \/decks -->)/$1$table$2/s or die "deck.pl: $readme: no <!-- decks -->\n";
+    open my $out, '>', $readme or die "deck.pl: $readme: $!\n";
+    print $out $text;
+    close $out or die "deck.pl: $readme: $!\n";
+    exit 0;
+}
+if ($asked eq '--check') {
+    my %used = map { $_ => 1 } map { ("$_.toml", slurp("$decks/$_.toml") =~ /file = "([^"]+)"/g) } @$order;
+    my @idle = grep { !$used{$_} } map { basename($_) } glob("$decks/*.toml $decks/*.msh");
+    my @told = slurp($readme) =~ /^\| \[(\w+)\]\(/mg;
+    print "no deck of references needs $_\n" for @idle;
+    print "the table of README.md has other decks than references, or in another order: run --update\n" if "@told" ne "@$order";
+    exit(@idle || "@told" ne "@$order" ? 1 : 0);
+}
+die "deck.pl: no deck '$asked' in references\n" if !$deck->{$asked};
+my @rows = compared($asked, $deck->{$asked});
+my $failures = 0;
+for (@rows) {
+    my $good = $_->{differs} ? $_->{part} > 1 : $_->{part} <= 1;
+    printf "%s %s: reference %s (%s), ours %.9g, %.3g of the tolerance %s%s\n", $good ? 'ok  ' : 'FAIL', $_->{asked}, $_->{reference}, $_->{where}, $_->{ours}, $_->{part},
+        $_->{tolerance} // $deck->{$asked}{tolerance}, $_->{differs} ? ", differs: $_->{differs}" : '';
+    ++$failures if !$good;
+}
+my $row = table_row($asked, $deck->{$asked}, @rows);
+my ($told) = slurp($readme) =~ /^(\| \[\Q$asked\E\]\(.*\n)/m;
+if (!defined $told || !alike($told, $row)) { print "FAIL README.md says\n", $told // "nothing\n", "and should say\n$row"; ++$failures }
+exit($failures ? 1 : 0);
