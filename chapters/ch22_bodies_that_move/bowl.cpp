@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iostream>
 
+#include "signorini/core/errors.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/report/results.hpp"
