@@ -1,7 +1,9 @@
 // Chapter 22 - Bodies that move: the loop on a block that is pressed and dragged, at four depths, and over many sides.
 // Run:  make ch22     Reads: nothing     Writes: ch22.results, loop.md, fig_22_2.csv
 #include <algorithm>
+#include <cmath>
 #include <iostream>
+#include <string>
 
 #include "scenes.hpp"
 #include "signorini/core/table.hpp"
@@ -12,10 +14,12 @@ namespace {
 
 using namespace ch22;
 
-// By which factor the last iterations shrink a move, on average, from the fourth on.
+// By which factor an iteration shrinks a move, on average from the third on, as long as moves are large beside rounding; in
+// the digits that this leaves.
 double rate(const std::vector<double>& moves) {
-  const std::size_t first = std::min<std::size_t>(3, moves.size() - 2);
-  return std::pow(moves.back() / moves[first], 1 / double(moves.size() - 1 - first));
+  std::size_t last = moves.size() - 1;
+  while (moves[last] < 10 * rounding) --last;
+  return std::stod(number(std::pow(moves[last] / moves[2], 1 / double(last - 2)), "%.2g"));
 }
 
 // Pressed by a depth, then dragged by 0.1 mm: the moves of the second step.
@@ -30,7 +34,7 @@ void depths(const ProgramOptions& run, Results& results) {
       curve.row({depth, double(k + 1), std::max(dragged.moves[k], rounding)});
     curve.blank_line();
     const double shrinks = rate(dragged.moves);
-    table.row({number(depth), number(double(dragged.moves.size())), number(shrinks, "%.4f"),
+    table.row({number(depth), number(double(dragged.moves.size())), number(shrinks, "%.2g"),
                number(shrinks / depth, "%.1f")});
     results.add(text("rate_", number(1000 * depth)), shrinks, "-");
   }
