@@ -66,7 +66,7 @@ inline WholeSystem whole_system(const Scene& scene) {
 /// \param whole  the system \param x  unknowns \return F and J
 // [whole]
 inline WholeState evaluate(const WholeSystem& whole, const VectorXd& x) {
-  const auto& [K, external, A, initial] = whole.run.model.programme;
+  const auto& [K, external, A, initial, reached] = whole.run.model.programme;
   const Index n = external.size(), m = whole.normal.cols();
   const double s = whole.reading == NormalTraction::Pressure ? 1 : -1;
   const VectorXd U = x.head(n), fn = x.segment(n, m), tau = x.segment(n + m, m);

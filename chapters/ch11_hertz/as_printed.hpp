@@ -77,7 +77,7 @@ inline Eigen::SparseMatrix<double> printed_jacobian(const PrintedRun& run,
 inline PrintedRun run_as_printed(const HertzCase& now, const PrintedEquations& how) {
   Ledger ledger;
   PrintedRun run{build(hertz_scene(now), ledger), {}, {}, {}};
-  const auto& [K, external, A, initial_gap] = run.model.programme;
+  const auto& [K, external, A, initial_gap, reached] = run.model.programme;
   const Eigen::Index n = external.size(), pairs = initial_gap.size();
   const Eigen::SparseMatrix<double> forces = -(run.model.pairs.weight.asDiagonal() * A).transpose();
   Eigen::VectorXd springs = run.model.modes[0].shape.cwiseAbs2();
