@@ -44,7 +44,7 @@ void declare_finite_strain(const Scene& scene, Plan& draft) {
                             scene.bodies[b].material.law->name, other ? " in cells q4_bbar" : "",
                             "; 5 to 15 tangents a step, each with a factor"));
   }
-  move_pairs(scene, "finite strain (a material with a law)", true, draft);
+  move_pairs(scene, "finite strain (a material with a law)", draft);
 }
 
 }  // namespace

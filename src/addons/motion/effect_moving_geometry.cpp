@@ -11,7 +11,7 @@ void declare_moving(const Scene& scene, Plan& draft) {
   require_input(!scene.contacts.empty(),
                 "bodies move (moves = true), but without contact their places mean nothing: "
                 "leave it out");
-  move_pairs(scene, "moving geometry (moves = true)", false, draft);
+  move_pairs(scene, "moving geometry (moves = true)", draft);
   draft.on.push_back(
       text("moving geometry: pairs are found anew in every iteration of a step, 5 to "
            "15 of them; one factor, a compliance each; strains and turns are small"));

@@ -42,16 +42,17 @@ std::shared_ptr<const Scene> contacts_of(const Scene& scene) {
 
 }  // namespace
 
-void move_pairs(const Scene& scene, const std::string& why, bool turning, Plan& draft) {
+void move_pairs(const Scene& scene, const std::string& why, Plan& draft) {
   require_input(scene.path.has_value(), why,
                 ": it does so in load steps, even if it is one: add [[steps]] with until = 1 and "
                 "count = 1 or more");
   for (const ContactSpec& contact : scene.contacts) check_contact(contact, why, draft);
   draft.followed.reset();
   draft.loop = std::make_shared<const StepLoop>(
-      moving_step([contacts = contacts_of(scene), turning](
-                      const Displaced& displacement, const Displaced& before, Model& model) {
-        place_bodies(*contacts, displacement, before, model, turning);
+      moving_step([contacts = contacts_of(scene)](const Displaced& displacement,
+                                                  const Displaced& before, Model& model,
+                                                  bool keep_points) {
+        place_bodies(*contacts, displacement, before, model, keep_points);
       }));
 }
 

@@ -11,9 +11,8 @@ namespace signorini {
 /// Checks the contacts of a scene whose bodies move, and gives the plan their loop.
 /// \param scene  with load steps
 /// \param why    they move, for messages
-/// \param turning  whether K follows the turning of contact forces, see contact_curvature()
 /// \param[in,out] draft  with bodies
 /// \throws ProblemError if there are no load steps, or a contact cannot be found where bodies have moved to
-void move_pairs(const Scene& scene, const std::string& why, bool turning, Plan& draft);
+void move_pairs(const Scene& scene, const std::string& why, Plan& draft);
 
 }  // namespace signorini

@@ -6,9 +6,10 @@
 
 namespace signorini {
 
-/// Writes pairs, gaps and slips of a model where its bodies stand, counted from there: see place_bodies().
-using PlacePairs =
-    std::function<void(const Displaced& displacement, const Displaced& before, Model& model)>;
+/// Writes pairs, gaps and slips of a model where its bodies stand, counted from there, with points or without: see
+/// place_bodies().
+using PlacePairs = std::function<void(const Displaced& displacement, const Displaced& before,
+                                      Model& model, bool keep_points)>;
 
 /// The loop of linearised contact problems of a step, see StepLoop: at the present u, forces, pairs, gaps and slips are written
 /// anew, the linear problem is solved and certified as any other, and the way d that it finds leads to the next u. It ends when

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "addons/steps/step_parts.hpp"
 #include "addons/steps/steps_limit.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/table.hpp"
@@ -47,80 +48,6 @@ void add_scaled(double factor, const Eigenstrain& part, Eigenstrain& sum) {
   };
 }
 
-void check_steps(const Model& model, const char* function) {
-  require_input(!model.parts.empty(), function,
-                ": the scene has no load steps; give its `path` times, or use solve()");
-}
-
-/// Whether the numbers of a state are those of a model.
-void check_sizes(const PathState& state, const Model& model) {
-  const Index pairs = model.pairs.weight.size();
-  const Index slips = static_cast<Index>(model.law.pair.size());
-  const PrimalDual& solution = state.solution;
-  if (state.steps == 0) {
-    const Index sizes = static_cast<Index>(state.contact_status.size()) + state.slip.size() +
-                        state.increment.size() + state.dissipation.size() +
-                        solution.displacement.size() + solution.displacement_low.size() +
-                        solution.rigid.size() + solution.force.size();
-    require_input(
-        state.time == 0 && sizes == 0,
-        "a state before the first step is empty and of time 0, but "
-        "this one is of time ",
-        state.time, " and has ", sizes,
-        " numbers: go on from one that an observer or read_state() got, or from PathState()");
-    return;
-  }
-  const Index n = model.unknowns.count;
-  const bool fits =
-      static_cast<Index>(state.contact_status.size()) == pairs && state.slip.size() == slips &&
-      state.increment.size() == slips && state.dissipation.size() == slips &&
-      solution.displacement.size() == n &&
-      (solution.displacement_low.size() == 0 || solution.displacement_low.size() == n) &&
-      (solution.rigid.size() == 0 || solution.rigid.size() == n) &&
-      solution.force.size() == pairs + slips;
-  require_input(fits, "the state at time ", state.time, " is of another scene: it has ",
-                solution.displacement.size(), " unknowns, ", state.contact_status.size(),
-                " pairs and ", state.slip.size(), " slips, but this one ", n, ", ", pairs, " and ",
-                slips);
-  require_input(
-      state.steps > 0 && std::isfinite(state.time) && state.slip.allFinite() &&
-          state.increment.allFinite() && state.dissipation.allFinite(),
-      "the state after step ", state.steps, " at time ", state.time,
-      " has numbers that are not finite or steps below 0: go on from one that was solved");
-}
-
-/// Lets the slips of a model count from where they were.
-void forget_slip(const VectorXd& slip, Model& model) {
-  if (slip.size() > 0) model.programme.initial_gap.tail(slip.size()) -= slip;
-}
-
-/// Where the nodes of a state are, of a model that has its given displacements.
-Displaced displacement_of(const PathState& state, const Model& model) {
-  if (state.steps == 0) return NodeArray(NodeArray::Zero(model.unknowns.held.rows(), 2));
-  return displaced(model.unknowns, state.solution);
-}
-
-/// Rows of slips by contact and node: where pairs change, what they have slid so far goes on with these.
-using SlipNames = std::vector<std::pair<std::size_t, Index>>;
-
-SlipNames slip_names(const Model& model) {
-  SlipNames names;
-  for (const Index pair : model.law.pair) {
-    const auto k = static_cast<std::size_t>(pair);
-    names.emplace_back(model.contact_of[k], model.pairs.node[k]);
-  }
-  return names;
-}
-
-/// What rows of these names know, by the names of the rows that are now: zero for a row that is new.
-VectorXd handed_on(const SlipNames& names, const VectorXd& values, const SlipNames& here) {
-  VectorXd all = VectorXd::Zero(static_cast<Index>(here.size()));
-  for (std::size_t k = 0; k < here.size() && values.size() > 0; ++k)
-    if (const auto found = std::find(names.begin(), names.end(), here[k]); found != names.end())
-      all(static_cast<Index>(k)) = values(found - names.begin());
-  return all;
-}
-
 /// Says why a step failed, and until when its loads can be balanced at all.
 void tell(const Model& model, const Solution& failed, double time, PathEnd& end) {
   const std::string& why = failed.contact.reason;
@@ -138,79 +65,7 @@ PathEnd ended(PathEnd end) {
   return end;
 }
 
-/// \param given  slips in total if no unknown moves
-PathState after(const PathState& past, double time, const Model& model, const VectorXd& given,
-                const Solution& solution) {
-  const ContactState& contact = solution.contact;
-  PathState state = past;
-  ++state.steps;
-  state.time = time;
-  state.contact_status = all_statuses(contact);
-  state.solution = solution.refined;
-  state.increment = increment(contact);
-  const VectorXd lost = dissipated(contact);
-  if (past.steps == 0) {
-    state.slip = state.increment;
-    state.dissipation = lost;
-  } else {
-    state.slip += state.increment;
-    state.dissipation += lost;
-  }
-  // What supports give is known: a sum of rounded increments would seem to move where they stand still.
-  const Index pairs = model.pairs.weight.size();
-  for (Index k = 0; k < given.size(); ++k)
-    if (model.programme.A.row(pairs + k).norm() == 0) state.slip(k) = given(k);
-  return state;
-}
-
 }  // namespace
-
-void stand(const PathState& state, Model& model) {
-  set_time(state.time, model);
-  if (!model.loop || state.solution.displacement.size() != model.unknowns.count) return;
-  const Displaced there = displaced(model.unknowns, state.solution);
-  model.loop->place(there, there, model);
-}
-
-namespace {
-
-/// Whether a state solves its own step. \param model  with the loads of its time, and slips that count from its last step
-void check_solved(const PathState& state, const Model& model) {
-  const Certificate certificate = model.loop
-                                      ? model.loop->certify(state.solution, model)
-                                      : certify(model.programme, state.solution, model.law);
-  require_input(
-      certificate.holds(), "the state at time ", state.time,
-      " is of another scene, or what comes before time ", shortest(state.time),
-      " was changed, but only what comes later may: its displacements and forces do not solve "
-      "this one then (",
-      certificate, "). Go on with the scene that it was saved from, or start anew");
-}
-
-/// A state of bodies that move: its pairs are those of the place where it has them. The model keeps its own, as the factor
-/// knows them.
-void check_moved_state(const PathState& state, Model model) {
-  try {
-    stand(state, model);
-  } catch (const ProblemError& error) {
-    throw ProblemError(text("the state at time ", state.time,
-                            " is of another scene: where it has the bodies, ", error.what()));
-  }
-  check_sizes(state, model);
-  forget_slip(-state.increment, model);  // where it stands nothing has slid yet
-  check_solved(state, model);
-}
-
-}  // namespace
-
-void check_state(const PathState& state, Model& model) {
-  if (!model.loop || state.steps == 0) check_sizes(state, model);
-  if (state.steps == 0) return;
-  set_time(state.time, model);
-  if (model.loop) return check_moved_state(state, model);
-  forget_slip(state.slip - state.increment, model);
-  check_solved(state, model);
-}
 
 CondensedPath condense_path(const Model& model, Ledger& ledger) {
   check_steps(model, "condense_path");
@@ -223,6 +78,13 @@ CondensedPath condense_path(const Model& model, Ledger& ledger) {
     ledger.count("solves", acts ? 1 : 0);
   }
   return path;
+}
+
+VectorXd free_displacement(double time, const Model& model, const CondensedPath& path) {
+  VectorXd free = VectorXd::Zero(model.unknowns.count);
+  for (std::size_t k = 0; k < model.parts.size(); ++k)
+    free += factor_of(model.path, model.parts[k], time) * path.free_displacement[k];
+  return free;
 }
 
 void set_time(double time, Model& model) {
@@ -251,45 +113,6 @@ void set_time(double time, Model& model) {
     model.unknowns.held.middleRows(body.first_node, body.mesh.n_nodes()) = body.unknowns.held;
   }
 }
-
-std::optional<PathTotals> totals(const PathState* state) {
-  if (state == nullptr) return {};
-  return PathTotals{state->slip, state->dissipation};
-}
-
-namespace {
-
-/// u without contact forces at the time that a model was set to.
-VectorXd free_displacement(double time, const Model& model, const CondensedPath& path) {
-  VectorXd free = VectorXd::Zero(model.unknowns.count);
-  for (std::size_t k = 0; k < model.parts.size(); ++k)
-    free += factor_of(model.path, model.parts[k], time) * path.free_displacement[k];
-  return free;
-}
-
-/// A step of bodies that move: its pairs come and go, and take along what they know.
-Step moved_step(const PathState& past, double time, Model& model, CondensedPath& path,
-                Ledger ledger) {
-  set_time(past.time, model);
-  const Displaced before = displacement_of(past, model);
-  set_time(time, model);
-  model.loop->place(before, before, model);
-  check_sizes(past, model);
-  const SlipNames names = slip_names(model);
-  path.condensed.free_displacement = free_displacement(time, model, path);
-  SolverOptions options;
-  options.start = past.contact_status;
-  Step result{model.loop->solve(before, options, model, path.condensed, std::move(ledger)), past};
-  if (result.solution.contact.report.status != SolveStatus::Solved) return result;
-  PathState known = past;
-  known.slip = handed_on(names, past.slip, slip_names(model));
-  known.dissipation = handed_on(names, past.dissipation, slip_names(model));
-  known.dissipated_elsewhere += past.dissipation.sum() - known.dissipation.sum();
-  result.state = after(known, time, model, VectorXd(), result.solution);
-  return result;
-}
-
-}  // namespace
 
 Step step(const PathState& past, double time, Model& model, CondensedPath& path, Ledger ledger) {
   check_steps(model, "step");

@@ -1,0 +1,141 @@
+// # Going on from a state
+//
+// A state is all that the next step has to know. Whoever goes on from one that was saved may have changed the scene
+// meanwhile. So a state is only taken if it solves its own step: its certificate is computed anew.
+
+#include <cmath>
+
+#include "addons/steps/step_parts.hpp"
+#include "signorini/core/errors.hpp"
+#include "signorini/core/table.hpp"
+#include "signorini/problem/active_set_system.hpp"
+
+namespace signorini {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+void check_steps(const Model& model, const char* function) {
+  require_input(!model.parts.empty(), function,
+                ": the scene has no load steps; give its `path` times, or use solve()");
+}
+
+/// Whether the numbers of a state are those of a model.
+void check_sizes(const PathState& state, const Model& model) {
+  const Index pairs = model.pairs.weight.size();
+  const Index slips = static_cast<Index>(model.law.pair.size());
+  const PrimalDual& solution = state.solution;
+  if (state.steps == 0) {
+    const Index sizes = static_cast<Index>(state.contact_status.size()) + state.slip.size() +
+                        state.increment.size() + state.dissipation.size() +
+                        solution.displacement.size() + solution.displacement_low.size() +
+                        solution.rigid.size() + solution.force.size();
+    require_input(
+        state.time == 0 && sizes == 0,
+        "a state before the first step is empty and of time 0, but "
+        "this one is of time ",
+        state.time, " and has ", sizes,
+        " numbers: go on from one that an observer or read_state() got, or from PathState()");
+    return;
+  }
+  const Index n = model.unknowns.count;
+  const bool fits =
+      static_cast<Index>(state.contact_status.size()) == pairs && state.slip.size() == slips &&
+      state.increment.size() == slips && state.dissipation.size() == slips &&
+      solution.displacement.size() == n &&
+      (solution.displacement_low.size() == 0 || solution.displacement_low.size() == n) &&
+      (solution.rigid.size() == 0 || solution.rigid.size() == n) &&
+      solution.force.size() == pairs + slips;
+  require_input(fits, "the state at time ", state.time, " is of another scene: it has ",
+                solution.displacement.size(), " unknowns, ", state.contact_status.size(),
+                " pairs and ", state.slip.size(), " slips, but this one ", n, ", ", pairs, " and ",
+                slips);
+  require_input(
+      state.steps > 0 && std::isfinite(state.time) && state.slip.allFinite() &&
+          state.increment.allFinite() && state.dissipation.allFinite(),
+      "the state after step ", state.steps, " at time ", state.time,
+      " has numbers that are not finite or steps below 0: go on from one that was solved");
+}
+
+/// Lets the slips of a model count from where they were.
+void forget_slip(const VectorXd& slip, Model& model) {
+  if (slip.size() > 0) model.programme.initial_gap.tail(slip.size()) -= slip;
+}
+
+PathState after(const PathState& past, double time, const Model& model, const VectorXd& given,
+                const Solution& solution) {
+  const ContactState& contact = solution.contact;
+  PathState state = past;
+  ++state.steps;
+  state.time = time;
+  state.contact_status = all_statuses(contact);
+  state.solution = solution.refined;
+  state.increment = increment(contact);
+  const VectorXd lost = dissipated(contact);
+  if (past.steps == 0) {
+    state.slip = state.increment;
+    state.dissipation = lost;
+  } else {
+    state.slip += state.increment;
+    state.dissipation += lost;
+  }
+  // What supports give is known: a sum of rounded increments would seem to move where they stand still.
+  const Index pairs = model.pairs.weight.size();
+  for (Index k = 0; k < given.size(); ++k)
+    if (model.programme.A.row(pairs + k).norm() == 0) state.slip(k) = given(k);
+  return state;
+}
+
+void stand(const PathState& state, Model& model) {
+  set_time(state.time, model);
+  if (!model.loop || state.solution.displacement.size() != model.unknowns.count) return;
+  const Displaced there = displaced(model.unknowns, state.solution);
+  model.loop->place(there, there, model);
+}
+
+namespace {
+
+/// Whether a state solves its own step. \param model  with the loads of its time, and slips that count from its last step
+void check_solved(const PathState& state, const Model& model) {
+  const Certificate certificate = model.loop
+                                      ? model.loop->certify(state.solution, model)
+                                      : certify(model.programme, state.solution, model.law);
+  require_input(
+      certificate.holds(), "the state at time ", state.time,
+      " is of another scene, or what comes before time ", shortest(state.time),
+      " was changed, but only what comes later may: its displacements and forces do not solve "
+      "this one then (",
+      certificate, "). Go on with the scene that it was saved from, or start anew");
+}
+
+/// A state of bodies that move: its pairs are those of the place where it has them. The model keeps its own, as the factor
+/// knows them.
+void check_moved_state(const PathState& state, Model model) {
+  try {
+    stand(state, model);
+  } catch (const ProblemError& error) {
+    throw ProblemError(text("the state at time ", state.time,
+                            " is of another scene: where it has the bodies, ", error.what()));
+  }
+  check_sizes(state, model);
+  forget_slip(-state.increment, model);  // where it stands nothing has slid yet
+  check_solved(state, model);
+}
+
+}  // namespace
+
+void check_state(const PathState& state, Model& model) {
+  if (!model.loop || state.steps == 0) check_sizes(state, model);
+  if (state.steps == 0) return;
+  set_time(state.time, model);
+  if (model.loop) return check_moved_state(state, model);
+  forget_slip(state.slip - state.increment, model);
+  check_solved(state, model);
+}
+
+std::optional<PathTotals> totals(const PathState* state) {
+  if (state == nullptr) return {};
+  return PathTotals{state->slip, state->dissipation};
+}
+
+}  // namespace signorini
