@@ -44,8 +44,6 @@ std::string passage_warning(const std::string& what, const Surface& source, cons
 
 /// How far a side turns at a node, if that is too far for one pair with one normal and one pressure.
 std::string turn_warning(const std::string& what, const Surface& source) {
-  // A side of twelve edges turns by as much, and rounding does not decide about it.
-  const double too_far = std::cos(pi / 6) - 16 * direction_rounding(source.mesh);
   std::map<Index, Eigen::Vector2d> normals;
   std::vector<std::pair<double, Index>> turns;  // cosine and node
   for (const SideCurve& side : side_curves(source.mesh, source.boundary))
@@ -54,8 +52,14 @@ std::string turn_warning(const std::string& what, const Surface& source) {
       const Eigen::Vector2d normal = side.normal(end);
       const auto [known, first] = normals.emplace(node, normal);
       const double cosine = known->second.dot(normal);
-      if (!first && cosine < too_far) turns.emplace_back(cosine, node);
+      if (!first && cosine < std::cos(pi / 6)) turns.emplace_back(cosine, node);
     }
+  if (turns.empty()) return "";
+  // A side of twelve edges turns by as much, and rounding does not decide about it.
+  const double too_far = std::cos(pi / 6) - 16 * direction_rounding(source.mesh);
+  turns.erase(std::remove_if(turns.begin(), turns.end(),
+                             [&](const auto& turn) { return turn.first >= too_far; }),
+              turns.end());
   if (turns.empty()) return "";
   const auto [cosine, node] = *std::min_element(turns.begin(), turns.end());
   return text(
