@@ -7,6 +7,7 @@
 
 #include "command_line/print.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/core/wording.hpp"
 #include "signorini/report/pair_columns.hpp"
 #include "signorini/report/pressure_table.hpp"
 #include "signorini/scene/bodies.hpp"
@@ -84,7 +85,7 @@ void write_sums(Json& json, const Resultants& sum) {
 }  // namespace
 
 std::string force_in_words(const Eigen::Vector2d& force, bool axial) {
-  return axial ? text(force.y(), " along the axis") : text('(', force.x(), ", ", force.y(), ')');
+  return axial ? text(force.y(), " along the axis") : in_brackets(force);
 }
 
 void print_contacts(std::ostream& out, const Model& model, const Solution& solution,

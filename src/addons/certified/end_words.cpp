@@ -21,8 +21,7 @@ std::string pair_in_words(const Model& model, Index pair) {
     words += text(" of node ", node - model.bodies[b].first_node, " of body '",
                   model.bodies[b].mesh.name, '\'');
   }
-  return text(words, " at (", model.pairs.position(pair, 0), ", ", model.pairs.position(pair, 1),
-              ')');
+  return words + " at " + in_brackets(model.pairs.position.row(pair));
 }
 
 std::string unbounded_direction_in_words(const Model& model, const VectorXd& unbounded_direction) {

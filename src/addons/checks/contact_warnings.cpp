@@ -8,6 +8,7 @@
 #include "addons/checks/sides.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
+#include "signorini/core/wording.hpp"
 #include "signorini/fem/far.hpp"
 #include "signorini/fem/side_curve.hpp"
 #include "signorini/scene/bodies.hpp"
@@ -37,14 +38,12 @@ std::string passage_warning(const std::string& what, const Surface& source, cons
   const Index first = passed.nodes.front();
   return text(what, ": ", passed.nodes.size(), " source nodes lie behind the target, up to ",
               passed.farthest, " deep, where its body is thinner than that; the first is node ",
-              first, " at (", source.mesh.nodes(first, 0), ", ", source.mesh.nodes(first, 1),
-              "). If the source has passed through the target, move the bodies apart");
+              first, " at ", in_brackets(source.mesh.nodes.row(first)),
+              ". If the source has passed through the target, move the bodies apart");
 }
 
 /// How far a side turns at a node, if that is too far for one pair with one normal and one pressure.
 std::string turn_warning(const std::string& what, const Surface& source) {
-  // A side of twelve edges turns by as much, and rounding does not decide about it.
-  const double too_far = std::cos(pi / 6) - 16 * direction_rounding(source.mesh);
   std::map<Index, Eigen::Vector2d> normals;
   std::vector<std::pair<double, Index>> turns;  // cosine and node
   for (const SideCurve& side : side_curves(source.mesh, source.boundary))
@@ -53,15 +52,21 @@ std::string turn_warning(const std::string& what, const Surface& source) {
       const Eigen::Vector2d normal = side.normal(end);
       const auto [known, first] = normals.emplace(node, normal);
       const double cosine = known->second.dot(normal);
-      if (!first && cosine < too_far) turns.emplace_back(cosine, node);
+      if (!first && cosine < std::cos(pi / 6)) turns.emplace_back(cosine, node);
     }
+  if (turns.empty()) return "";
+  // A side of twelve edges turns by as much, and rounding does not decide about it.
+  const double too_far = std::cos(pi / 6) - 16 * direction_rounding(source.mesh);
+  turns.erase(std::remove_if(turns.begin(), turns.end(),
+                             [&](const auto& turn) { return turn.first >= too_far; }),
+              turns.end());
   if (turns.empty()) return "";
   const auto [cosine, node] = *std::min_element(turns.begin(), turns.end());
   return text(
       what, ": the source turns by ",
       std::round(std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / pi), " degrees at node ", node,
-      ", (", source.mesh.nodes(node, 0), ", ", source.mesh.nodes(node, 1),
-      "), and by more than 30 at ", turns.size(), turns.size() == 1 ? " node" : " nodes",
+      ", ", in_brackets(source.mesh.nodes.row(node)), ", and by more than 30 at ", turns.size(),
+      turns.size() == 1 ? " node" : " nodes",
       ": a pair there has one normal and one pressure for both sides. Give the parts of a "
       "side with a corner names of their own, and each its contact; make a round side finer");
 }

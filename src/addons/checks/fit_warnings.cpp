@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/wording.hpp"
 #include "signorini/fem/side_curve.hpp"
 #include "signorini/pairing/target_search.hpp"
 #include "signorini/scene/bodies.hpp"
@@ -99,11 +100,10 @@ std::vector<std::string> closed_gap_warnings(const Model& model, const Solution&
     most = pair;
   }
   if (most < 0) return {};
-  const auto at = model.pairs.position.row(most);
   return {text("contact ", model.contacts[model.contact_of[static_cast<std::size_t>(most)]],
-               ": the pair at (", at(0), ", ", at(1), ") has closed a gap of ",
-               model.pairs.initial_gap(most), ", ", farthest, " times the size of '",
-               model.bodies[smallest(model, sizes, most)].mesh.name,
+               ": the pair at ", in_brackets(model.pairs.position.row(most)),
+               " has closed a gap of ", model.pairs.initial_gap(most), ", ", farthest,
+               " times the size of '", model.bodies[smallest(model, sizes, most)].mesh.name,
                "'. Gaps are small beside the bodies: check where the bodies are, and the units")};
 }
 

@@ -11,6 +11,7 @@
 #include "signorini/contact/gaps.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
+#include "signorini/core/wording.hpp"
 #include "signorini/problem/active_set_system.hpp"
 #include "signorini/scene/bodies.hpp"
 
@@ -123,7 +124,7 @@ std::string shared_forces_in_words(const Model& model, const Solution& solution,
     words +=
         text(told == 0 ? ". Pairs " : "; pairs ",
              runs_in_words({widest.pairs.begin(), widest.pairs.end()}), " together push body '",
-             model.bodies[sum.body].mesh.name, "' with (", sum.force.x(), ", ", sum.force.y(), ')');
+             model.bodies[sum.body].mesh.name, "' with ", in_brackets(sum.force));
   return text(words, ". ", cause_in_words(model, widest.pairs));
 }
 

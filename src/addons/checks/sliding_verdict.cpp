@@ -7,6 +7,7 @@
 #include "addons/checks/sliding.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
+#include "signorini/core/wording.hpp"
 
 namespace signorini {
 namespace {
@@ -18,17 +19,15 @@ constexpr double noted_way = 0.25;
 /// How far the pairs of a contact have slid, and what that makes of its force.
 std::string in_words(const Model& model, const SlidingChange& one) {
   std::string words = "its pairs are those of the meshes as they are";
-  if (one.pair >= 0) {
-    const auto at = model.pairs.position.row(one.pair);
-    words += text(", but the one at (", at(0), ", ", at(1), ") has slid by ", one.slip, ", ",
-                  one.slip / one.edge, " of its edge");
-  }
+  if (one.pair >= 0)
+    words += text(", but the one at ", in_brackets(model.pairs.position.row(one.pair)),
+                  " has slid by ", one.slip, ", ", one.slip / one.edge, " of its edge");
   words += ". Where the bodies have moved to, ";
   if (!one.lost.empty()) return words + "there are none: " + one.lost;
   if (!one.new_force) return words + "no forces are found that balance the loads";
-  return words + text("the force on the source would to first order be (", one.new_force->x(), ", ",
-                      one.new_force->y(), ") in the place of (", one.force.x(), ", ", one.force.y(),
-                      "), ", 100 * one.elsewhere, " % of it on other nodes");
+  return words + text("the force on the source would to first order be ",
+                      in_brackets(*one.new_force), " in the place of ", in_brackets(one.force),
+                      ", ", 100 * one.elsewhere, " % of it on other nodes");
 }
 
 }  // namespace

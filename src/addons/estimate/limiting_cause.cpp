@@ -33,8 +33,8 @@ std::string held_end(const AccurateSolution& run) {
                                        [&](Index node) { return presses[b][at(node)] != 0; });
       if (held != nodes.end() && pressed)
         return text("the source ", in_quotes(contact.source.boundary), " of body '", body.mesh.name,
-                    "' presses up to (", body.mesh.nodes(*held, 0), ", ", body.mesh.nodes(*held, 1),
-                    "), which is held: pressures grow without bound there; end it before");
+                    "' presses up to ", in_brackets(body.mesh.nodes.row(*held)),
+                    ", which is held: pressures grow without bound there; end it before");
     }
   }
   return {};

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "signorini/core/errors.hpp"
+
 namespace signorini {
 
 /// \param text  any
@@ -19,6 +21,12 @@ namespace signorini {
 /// \param text  any
 /// \return the text in quotes, clipped()
 [[nodiscard]] std::string in_quotes(std::string_view text);
+
+/// \param x  a vector of two numbers \return them in brackets
+template <typename Vector>
+[[nodiscard]] std::string in_brackets(const Vector& x) {
+  return text('(', x(0), ", ", x(1), ')');
+}
 
 /// \param words  any \param between  such as ", " \return them one after the other
 [[nodiscard]] std::string joined(const std::vector<std::string>& words, std::string_view between);

@@ -28,13 +28,15 @@ double distance_from_origin(const NodeArray& nodes) {
 
 /// Chords will do: a bent side is longer, and what is asked is how short a side is.
 double shortest_side(const Mesh& mesh, Index cell) {
-  double shortest = std::numeric_limits<double>::infinity();
+  double shortest = std::numeric_limits<double>::infinity();  // its square
   const int corners = mesh.corners(cell);
-  for (int k = 0; k < corners; ++k)
-    shortest = std::min(shortest, (mesh.nodes.row(mesh.cells(cell, (k + 1) % corners)) -
-                                   mesh.nodes.row(mesh.cells(cell, k)))
-                                      .norm());
-  return shortest;
+  Index last = mesh.cells(cell, corners - 1);
+  for (int k = 0; k < corners; ++k) {
+    const Index next = mesh.cells(cell, k);
+    shortest = std::min(shortest, (mesh.nodes.row(next) - mesh.nodes.row(last)).squaredNorm());
+    last = next;
+  }
+  return std::sqrt(shortest);
 }
 
 /// The worst of both: the largest coordinate and the shortest side, even if they are not
