@@ -358,3 +358,31 @@ TEST_CASE("the mean turn is that of a turn, and none of a strain", "[motion]") {
   strain << 0.1, 0.05, 0.05, -0.2;
   CHECK(std::abs(mean_turn(mesh, whole[0], mesh.nodes * strain)) <= 1e-15);
 }
+
+TEST_CASE("a ring that has been pressed outwards has its pairs at the radius where it stands", "[motion]") {
+  Scene scene;
+  scene.bodies.resize(2);
+  scene.bodies[0].mesh = block("inner", {1, 0}, {1, 1}, 2, 3);
+  scene.bodies[1].mesh = block("outer", {2, -0.5}, {1, 2}, 2, 4);
+  for (Body& body : scene.bodies) body.material = {1, 0.3, PlaneState::Axial, 1};
+  scene.bodies[0].supports = {prescribed("left", Axis::X, 0.1), prescribed("left", Axis::Y, 0)};
+  scene.bodies[0].supports[0].history = "press";
+  scene.bodies[1].supports = {prescribed("right", Axis::Y, 0)};
+  scene.contacts = {{{"right", "inner"}, Side{"left", "outer"}}};
+  scene.path = Path{{1}, {proportional("press")}};
+  scene.moves = true;
+  double area = 0;
+  const PathEnd end = solve_steps(scene, [&](const Model& model, const Step& step) {
+    const Mesh& mesh = model.bodies[0].mesh;
+    const NodeArray there = mesh.nodes + step.solution.displacements[0];
+    for (const CellSide& side : boundary(mesh, "right")) {
+      const std::vector<Index> ends = mesh.side_nodes(side);
+      // Of a truncated cone.
+      area += pi * (there(ends[0], 0) + there(ends[1], 0)) *
+              (there.row(ends[1]) - there.row(ends[0])).norm();
+    }
+    CHECK(std::abs(model.pairs.weight.sum() - area) <= 1e-14 * area);
+  });
+  CHECK(end.status == SolveStatus::Solved);
+  CHECK(area > 2.05 * 2 * pi);
+}

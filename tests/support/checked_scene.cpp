@@ -29,7 +29,7 @@ double over(Wide part, Wide whole) {
 /// The model and the solution, number by number.
 class Checked {
  public:
-  Checked(const Model& model, const Solution& solution, double length);
+  Checked(const Model& model, const Solution& solution, double length, double stiffest);
   SceneErrors errors();
 
  private:
@@ -60,6 +60,7 @@ class Checked {
   Wides movement_;  // gaps and slips
   Wides norm_;      // of rows, 1 for one without entries
   Wide length_;
+  double stiffest_;
   Wide force_ = 0;
   Wide inside_ = 0;    // largest |K| |u|
   Wide made_ = 0;      // that rounding of the entries of K may make along rigid motions
@@ -67,8 +68,12 @@ class Checked {
   SceneErrors errors_;
 };
 
-Checked::Checked(const Model& model, const Solution& solution, double length)
-    : model_(model), solution_(solution), given_(model.programme), length_(length) {
+Checked::Checked(const Model& model, const Solution& solution, double length, double stiffest)
+    : model_(model),
+      solution_(solution),
+      given_(model.programme),
+      length_(length),
+      stiffest_(std::max(stiffest, model.programme.stiffness.diagonal().maxCoeff())) {
   const PrimalDual& found = solution.refined;
   for (Index j = 0; j < given_.load.size(); ++j) {
     const double low = found.displacement_low.size() > 0 ? found.displacement_low(j) : 0;
@@ -124,8 +129,7 @@ void Checked::measure() {
   for (std::size_t j = 0; j < u_.size(); ++j)
     force_ = std::max({force_, size(given_.load(static_cast<Index>(j))), size(contact_[j])});
   // What bears without moving is measured by how the force would move the stiffest unknown.
-  const Eigen::VectorXd diagonal = given_.stiffness.diagonal();
-  length_ = std::max<Wide>(length_, force_ / diagonal.maxCoeff());
+  length_ = std::max<Wide>(length_, force_ / stiffest_);
   for (Index row = 0; row < given_.A.rows(); ++row) {
     Wide length = 0;
     for (NodalRows::InnerIterator it(given_.A, row); it; ++it)
@@ -229,8 +233,9 @@ double SceneErrors::worst() const {
                    reading, balance});
 }
 
-SceneErrors check_scene(const Model& model, const Solution& solution, double length) {
-  return Checked(model, solution, length).errors();
+SceneErrors check_scene(const Model& model, const Solution& solution, double length,
+                        double stiffest) {
+  return Checked(model, solution, length, stiffest).errors();
 }
 
 }  // namespace signorini_test

@@ -35,7 +35,8 @@ void grow(double& figure, double value);
 
 /// Checks a solution whose status is Solved. \param model from build() \param solution of it
 /// \param length  that lengths are divided by at least: what slips count from was rounded to it [length]
+/// \param stiffest  largest K_jj of the bodies, if the K of the model has not all of them [force/length]; 0: it has
 SceneErrors check_scene(const signorini::Model& model, const signorini::Solution& solution,
-                        double length = 0);
+                        double length = 0, double stiffest = 0);
 
 }  // namespace signorini_test

@@ -1,10 +1,12 @@
 #include "support/random_moving.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "addons/steps/histories.hpp"
 #include "meshes/split.hpp"
 #include "signorini/fem/block.hpp"
+#include "signorini/fem/strain_law.hpp"
 
 namespace signorini_test {
 namespace {
@@ -28,24 +30,67 @@ struct Units {
   }
 };
 
-Body drawn_body(Draws& draw, const Units& units, Mesh mesh, double stiffness, PlaneState state) {
+/// Laws of the two bodies; null: its strains are small.
+struct Laws {
+  const StrainLaw* base = nullptr;
+  const StrainLaw* tool = nullptr;
+
+  [[nodiscard]] bool any() const { return base != nullptr || tool != nullptr; }
+};
+
+Laws drawn_laws(Draws& draw) {
+  Laws laws;
+  if (draw.chance(8)) return laws;
+  const int which = draw.whole(0, 3);
+  const auto law = [&] {
+    return find_strain_law(draw.pick({"neo_hooke", "st_venant_kirchhoff"}));
+  };
+  if (which != 1) laws.base = law();
+  if (which != 2) laws.tool = law();
+  return laws;
+}
+
+/// E of the base over that of the tool: one whose strains are small is stiff beside one whose strains are not.
+double drawn_stiffness(Draws& draw, const Laws& laws) {
+  if (!laws.any() || (laws.base != nullptr && laws.tool != nullptr)) return draw.decade(-3, 3);
+  return laws.base != nullptr ? draw.decade(-3, -2) : draw.decade(2, 3);
+}
+
+Body drawn_body(Draws& draw, const Units& units, Mesh mesh, double stiffness, PlaneState state,
+                const StrainLaw* law) {
   Body body;
-  if (mesh.order() == MeshOrder::Linear && draw.chance(4)) {
+  const bool linear = mesh.order() == MeshOrder::Linear;
+  if ((linear || law != nullptr) && draw.chance(4)) {
     mesh = split(mesh);
     draw.say(" in triangles");
-  } else if (mesh.order() == MeshOrder::Linear) {
-    body.element = draw.pick({"q4", "q4_bbar", "q4_incompatible"});
+  } else if (linear) {
+    body.element = law != nullptr ? draw.pick({"q4", "q4_bbar", "q4_bbar"})
+                                  : draw.pick({"q4", "q4_bbar", "q4_incompatible"});
   }
   body.mesh = units.placed(mesh);
-  const double nu = body.element == "q4_bbar" ? 0.45 : draw.pick({0.0, 0.3});
+  const double nu = body.element == "q4_bbar" ? draw.pick({0.45, 0.49}) : draw.pick({0.0, 0.3});
   body.material = {units.stress * stiffness, nu, state, 1};
-  draw.say(" '", body.mesh.name, "' E ", stiffness, " nu ", nu, " ", body.element);
+  body.material.law = law;
+  draw.say(" '", body.mesh.name, "' E ", stiffness, " nu ", nu, " ", body.element, " ",
+           law != nullptr ? law->name : "small");
   return body;
 }
 
+/// By how much of its height the tool is pressed, without waves and gaps.
+double drawn_strain(Draws& draw, const Laws& laws) {
+  const double small = draw.decade(-6, -3) * draw.whole(1, 3);
+  if (!laws.any()) return small;
+  const auto gives_way = [](const StrainLaw* law) {
+    return law != nullptr && law == find_strain_law("st_venant_kirchhoff");
+  };
+  if (gives_way(laws.base) || gives_way(laws.tool)) return draw.pick({1e-3, 0.01, 0.03, 0.1});
+  return draw.pick({1e-3, 0.01, 0.03, 0.1, 0.2});
+}
+
 /// A load of the top of the tool, or displacements that are given there.
+/// \param stiffness  of the softer body over that of the tool
 void press_and_drag(Draws& draw, const Units& units, double strain, double way, bool loaded,
-                    Body& tool) {
+                    double stiffness, Body& tool) {
   const Axis along = units.upright ? Axis::Y : Axis::X;
   const Axis across = units.upright ? Axis::X : Axis::Y;
   const double down = (units.upright ? 1 : -1) * strain * units.length;
@@ -53,7 +98,7 @@ void press_and_drag(Draws& draw, const Units& units, double strain, double way, 
   tool.supports[0].history = "drag";
   draw.say("; strain ", strain, loaded ? " by load" : "", ", way ", way);
   if (loaded) {
-    tool.loads.edges = {{"top", strain * tool.material.youngs_modulus, {}, "press"}};
+    tool.loads.edges = {{"top", strain * stiffness * tool.material.youngs_modulus, {}, "press"}};
   } else {
     tool.supports.push_back(prescribed("top", across, down));
     tool.supports[1].history = "press";
@@ -78,11 +123,16 @@ Scene random_moving(Draws& draw) {
                     Vector2d(draw.pick({0.0, 0.0, 10.0, 100.0}), draw.pick({0.0, -7.0})),
                     draw.chance(4)};
   const MeshOrder order = draw.chance(3) ? MeshOrder::Quadratic : MeshOrder::Linear;
-  const PlaneState state = draw.chance(5) ? PlaneState::Stress : PlaneState::Strain;
+  // A ring on its way along the inside of another one.
+  const bool round = units.upright && units.shift.y() < 0 && draw.chance(8);
+  const PlaneState state = round             ? PlaneState::Axial
+                           : draw.chance(5) ? PlaneState::Stress
+                                            : PlaneState::Strain;
+  const Laws laws = drawn_laws(draw);
   draw.say("length ", units.length, " stress ", units.stress, " shift ", units.shift.transpose(),
-           units.upright ? " upright" : "", order == MeshOrder::Quadratic ? " quadratic" : "");
+           units.upright ? " upright " : " ", to_string(state), order == MeshOrder::Quadratic ? " quadratic" : "");
   const double wave = draw.pick({0.0, 0.0, 2e-4, 1e-3});
-  const double round = draw.pick({0.0, 0.05, 0.3});
+  const double bulge = draw.pick({0.0, 0.05, 0.3});
   const double start = draw.sixteenths(16, 32);
   const double gap = draw.pick({0.0, 0.0, 1e-4, -1e-4});
   const double width = draw.sixteenths(8, 20);
@@ -93,19 +143,21 @@ Scene random_moving(Draws& draw) {
   Mesh tool = block("tool", {start, 0}, {width, 1}, draw.whole(2, 8), draw.whole(2, 5), order);
   tool = mapped(tool, [=](const Vector2d& x) -> Vector2d {
     const double s = x.x() - start - width / 2;
-    return {x.x(), x.y() + gap + round * s * s * (1 - x.y())};
+    return {x.x(), x.y() + gap + bulge * s * s * (1 - x.y())};
   });
-  draw.say("; wave ", wave, " round ", round, " gap ", gap, ";");
+  draw.say("; wave ", wave, " bulge ", bulge, " gap ", gap, ";");
   Scene scene;
-  scene.bodies = {drawn_body(draw, units, base, draw.decade(-3, 3), state),
-                  drawn_body(draw, units, tool, 1, state)};
+  const double stiffness = drawn_stiffness(draw, laws);
+  scene.bodies = {drawn_body(draw, units, base, stiffness, state, laws.base)};
+  scene.bodies.push_back(drawn_body(draw, units, tool, 1, state, laws.tool));
   scene.bodies[0].supports = {fixed("bottom")};
   const double mu = draw.pick({0.0, 0.1, 0.3, 0.5});
   // Where the top of the tool is loaded it may tip, and much friction would turn it.
-  const bool loaded = draw.chance(3) && mu <= 0.1 && round == 0;
+  const bool loaded = draw.chance(3) && mu <= 0.1 && bulge == 0;
   // So far that it stays pressed beside the waves.
-  const double strain = draw.decade(-6, -3) * draw.whole(1, 3) + 2 * wave + std::abs(gap);
-  press_and_drag(draw, units, strain, draw.sixteenths(1, 40), loaded, scene.bodies[1]);
+  const double strain = drawn_strain(draw, laws) + 2 * wave + std::abs(gap);
+  press_and_drag(draw, units, strain, draw.sixteenths(1, 40), loaded,
+                 laws.any() ? std::min(1.0, stiffness) : 1, scene.bodies[1]);
   const Side of_base{"top", "base"};
   const Side of_tool{"bottom", "tool"};
   const bool base_source = draw.chance(4);
@@ -114,7 +166,7 @@ Scene random_moving(Draws& draw) {
   if (mu > 0 || cohesion > 0) scene.contacts[0].friction = Friction{mu, cohesion};
   draw.say("; source ", base_source ? "base" : "tool", ", mu ", mu, ", c ", cohesion);
   scene.path = drawn_path(draw);
-  scene.moves = true;
+  scene.moves = !laws.any() || draw.chance(8);  // laws move bodies, told so or not
   return scene;
 }
 

@@ -154,7 +154,6 @@ void try_motion(const Scene& scene, void (*change)(Solution& solution), Trial& t
 }
 
 void try_path(const Scene& scene, void (*change)(Solution& solution), Trial& trial) {
-  if (scene.moves) return try_motion(scene, change, trial);
   CheckedPath check(scene);
   trial.outcome = Outcome::Solved;
   const PathEnd end = solve_steps(scene, [&](const Model& model, Step step) {
@@ -200,12 +199,15 @@ Trial try_scene(std::uint64_t seed, RandomScenes kind, const std::string& solver
   RandomScene drawn = random_scene(seed, kind);
   if (!solver.empty()) drawn.scene.solver = find_solver(solver);
   // The linear problem is looked at, whether its pairs are those of bodies that moved or not.
-  for (ContactSpec& contact : drawn.scene.contacts) contact.small_sliding = !drawn.scene.moves;
+  for (ContactSpec& contact : drawn.scene.contacts)
+    contact.small_sliding = kind != RandomScenes::Moving;
   Trial trial;
   trial.text = std::move(drawn.text);
   const auto start = std::chrono::steady_clock::now();
   try {
-    if (drawn.scene.path)
+    if (kind == RandomScenes::Moving)
+      try_motion(drawn.scene, change, trial);
+    else if (drawn.scene.path)
       try_path(drawn.scene, change, trial);
     else
       try_once(drawn.scene, kind == RandomScenes::Any && solver.empty(), change, trial);

@@ -84,11 +84,14 @@ Places places(const NodeArray& X, const Displaced& u, const Eigen::RowVector2d& 
 }
 
 /// By how much all bodies are carried. If they all are, gaps and normals are found where they would be without that, or the
-/// last digits of far places would be those of normals. An obstacle stays where it is, and so do they then.
-Eigen::RowVector2d carrier(const Scene& scene, const Displaced& displacement) {
+/// last digits of far places would be those of normals. An obstacle stays where it is, and so do they then; and so does the
+/// axis of bodies of revolution, whose radii are their depth.
+Eigen::RowVector2d carrier(const Scene& scene, const Model& model, const Displaced& displacement) {
   for (const ContactSpec& contact : scene.contacts)
     if (!std::holds_alternative<Side>(contact.target)) return {0, 0};
-  return displacement.high.colwise().mean();
+  Eigen::RowVector2d mean = displacement.high.colwise().mean();
+  if (!model.bodies.empty() && is_axial(model.bodies.front())) mean.x() = 0;
+  return mean;
 }
 
 /// What supports still have to move, from the rounded places.
@@ -109,9 +112,9 @@ void add_rest(const NodeArray& rest, const Unknowns& unknowns, Gaps& gaps) {
 void place_bodies(const Scene& scene, const Displaced& displacement, const Displaced& before,
                   Model& model, bool keep_points) {
   const NodeArray still = nodes_of(model.bodies);
-  const Eigen::RowVector2d carried = carrier(scene, displacement);
+  const Eigen::RowVector2d carried = carrier(scene, model, displacement);
   const Places now = places(still, displacement, carried);
-  const Places earlier = places(still, before, carrier(scene, before));
+  const Places earlier = places(still, before, carrier(scene, model, before));
   const NodeArray moved = (displacement.high - before.high) + (displacement.low - before.low);
   Plan draft;
   draft.standing = std::make_shared<const Standing>(
