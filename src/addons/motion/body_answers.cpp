@@ -97,6 +97,21 @@ void add_values(const CellMatrix& cell, const std::vector<int>& places,
       K.valuePtr()[place] += cell.data()[k];
 }
 
+/// Springs pull along fixed axes, however far they are drawn.
+void add_springs(const BodyModel& body, const Displaced& at, const NodeArray& going_on,
+                 BodyAnswer& all) {
+  const auto add = [&](const NodeArray& nodes, VectorXd& sum) {
+    NodeArray pulled(body.mesh.n_nodes(), 2);
+    const NodeArray own = nodes.middleRows(body.first_node, body.mesh.n_nodes());
+    Eigen::Map<VectorXd>(pulled.data(), pulled.size()) =
+        body.springs * Eigen::Map<const VectorXd>(own.data(), own.size());
+    add_nodal_forces(body, pulled, sum);
+  };
+  add(at.high, all.force);
+  add(at.high.cwiseAbs(), all.terms);
+  add(going_on, all.ahead);
+}
+
 }  // namespace
 
 BodyAnswers::BodyAnswers(const Model& model) : stiffness_(model.programme.stiffness) {
@@ -143,17 +158,7 @@ BodyAnswer BodyAnswers::at(const Model& model, const Displaced& at, const NodeAr
           all.terms(row) += size;
         }
     });
-    if (body.springs.rows() == 0) continue;
-    const auto add = [&](const NodeArray& nodes, VectorXd& sum) {
-      NodeArray pulled(body.mesh.n_nodes(), 2);
-      const NodeArray own = nodes.middleRows(body.first_node, body.mesh.n_nodes());
-      Eigen::Map<VectorXd>(pulled.data(), pulled.size()) =
-          body.springs * Eigen::Map<const VectorXd>(own.data(), own.size());
-      add_nodal_forces(body, pulled, sum);
-    };
-    add(at.high, all.force);
-    add(at.high.cwiseAbs(), all.terms);
-    add(going_on, all.ahead);
+    if (body.springs.rows() > 0) add_springs(body, at, going_on, all);
   }
   return all;
 }

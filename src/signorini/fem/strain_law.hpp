@@ -1,3 +1,4 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// What a body answers to displacements where strains are not small: an open family, filled by add-ons.
 ///

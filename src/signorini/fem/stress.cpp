@@ -58,7 +58,8 @@ Eigen::Vector4d stress_at(const StrainPoint& point, const Cell& cell, const Cell
 /// Calls visit(cell, points, stress) with the strain points of every cell and the stress at them,
 /// row by row.
 ///
-/// Nodal values and means of cells both begin with this loop.
+/// Nodal values and means of cells both begin with this loop. A cell of a material with a law
+/// says itself what its true stress is, per area where it stands.
 template <typename Visit>
 void visit_stresses(const Mesh& mesh, const Element& element, const MaterialField& material,
                     const NodeArray& displacements, Visit&& visit) {
@@ -149,7 +150,8 @@ StressArray cell_stress(const Mesh& mesh, const Element& element, const Material
 
 /// A sum of squares cannot become negative, nor does it cancel. Take a body whose displacements are
 /// \f$10^6\f$ times as large as their differences within a cell:
-/// \f$u^T K u\f$ loses twelve of sixteen digits, this sum loses six, in \f$Bu\f$.
+/// \f$u^T K u\f$ loses twelve of sixteen digits, this sum loses six, in \f$Bu\f$. A law has an energy of
+/// its own, which is no such sum.
 double strain_energy(const Mesh& mesh, const Element& element, const MaterialField& material,
                      const NodeArray& displacements) {
   require_argument(displacements.rows() == mesh.n_nodes(),
