@@ -1,11 +1,8 @@
 // Chapter 22 - A die irons a slab: with gaps of nodes, whose normals jump at corners, and with weighted gaps.
-// Run:  make ch22     Reads: nothing     Writes: ch22_corners.results, corners.md, fig_22_4.csv, fig_22_4_moves.csv, fig_22_5_die_0.csv,
-//      fig_22_5_die_1.csv, fig_22_5_die_2.csv, fig_22_5_slab_0.csv, fig_22_5_slab_1.csv, fig_22_5_slab_2.csv,
-//      fig_22_5_arrows_0.csv, fig_22_5_arrows_1.csv, fig_22_5_arrows_2.csv
+// Run:  make ch22     Reads: nothing     Writes: ch22_corners.results, corners.md, fig_22_4.csv, fig_22_4_moves.csv
 #include <functional>
 #include <iostream>
 
-#include "papers/field_csv.hpp"
 #include "scenes.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
@@ -24,7 +21,7 @@ struct Ironing {
   std::vector<double> moves;   // of the first step that did not arrive, else of the last
 };
 
-using Watch = std::function<void(int, const Assembled&, const Place&)>;
+using Watch = std::function<void(int, const Place&)>;
 
 // Down in one step, then along by 1 mm.
 Ironing iron(const Two& scene, double depth, int steps, const Watch& watch = {}) {
@@ -37,7 +34,7 @@ Ironing iron(const Two& scene, double depth, int steps, const Watch& watch = {})
     all.iterations += double(now.moves.size()) / (steps + 1);
     if (all.stuck == 0) all.moves = now.moves;
     if (!now.arrived) ++all.stuck;
-    if (watch) watch(k, bodies, now);
+    if (watch) watch(k, now);
   }
   return all;
 }
@@ -55,35 +52,17 @@ Table count(Results& results) {
   return table;
 }
 
-void frame(const ProgramOptions& run, int number, const Assembled& bodies, const Place& now) {
-  const char* names[] = {"slab", "die"};
-  for (std::size_t b = 0; b < 2; ++b) {
-    const BodyModel& body = bodies.model.bodies[b];
-    const NodeArray u = now.u.middleRows(body.first_node, body.mesh.n_nodes());
-    write_file(run.out / text("fig_22_5_", names[b], "_", number, ".csv"),
-               deformed_cells_csv(body.mesh, u, VectorXd::Zero(body.mesh.n_cells())));
-  }
-  const Pairs& pairs = now.gaps.pairs;
-  write_file(run.out / text("fig_22_5_arrows_", number, ".csv"),
-             pressure_arrows_csv(pairs.position, pairs.normal,
-                                 now.contact.force.cwiseQuotient(pairs.weight)));
-}
-
-// Forces along the path of 80 steps, of both; three frames of the second.
+// Forces along the path of 80 steps, of both.
 void forces(const ProgramOptions& run, Results& results) {
   Table path({"gaps", "way", "press", "drag"}), moves({"gaps", "iteration", "move"});
   for (const char* name : {"node_to_segment", "mortar"}) {
     const bool weighted = name == std::string("mortar");
     double least = 1e300, largest = 0;
     const Ironing all =
-        iron(ironing(name, 1), 0.1, 80, [&](int k, const Assembled& bodies, const Place& now) {
+        iron(ironing(name, 1), 0.1, 80, [&](int k, const Place& now) {
           const Vector2d force = force_on_tool(now);
           path.row({weighted ? 1.0 : 0.0, k / 80.0, force.y(), -force.x()});
           if (k >= 20) least = std::min(least, -force.x()), largest = std::max(largest, -force.x());
-          if (!weighted) return;
-          if (k % 40 == 0) frame(run, k / 40, bodies, now);
-          if (k == 0) results.add("press", force.y(), "N");
-          if (k == 40) results.add("drag_over_press", -force.x() / force.y(), "-");
         });
     for (std::size_t k = 0; k < all.moves.size(); ++k)
       moves.row({weighted ? 1.0 : 0.0, double(k + 1), std::max(all.moves[k], rounding)});

@@ -1,4 +1,3 @@
-// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// The effects of this add-on.
 #pragma once

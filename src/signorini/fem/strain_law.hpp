@@ -1,4 +1,3 @@
-// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// What a body answers to displacements where strains are not small: an open family, filled by add-ons.
 ///
