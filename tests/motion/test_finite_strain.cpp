@@ -341,3 +341,24 @@ TEST_CASE("what a law cannot have is refused with the way out", "[motion]") {
   const Plan draft = plan(scene);
   CHECK(std::string(draft.bodies[0].element.name) == "q4_bbar");
 }
+
+TEST_CASE("a first step that fails leaves nothing to a shorter one", "[motion]") {
+  MovingBlocks of;
+  of.press = 1.2;  // of 2
+  Scene scene = moving_blocks(of);
+  for (Body& body : scene.bodies) {
+    body.element = "q4";
+    body.material.law = find_strain_law("st_venant_kirchhoff");
+  }
+  const auto shorter = [&](bool after_another) {
+    Ledger ledger;
+    Model model = build(scene, ledger);
+    CondensedPath path = condense_path(model, ledger);
+    if (after_another)
+      CHECK(step({}, 1, model, path, {}).solution.contact.report.status != SolveStatus::Solved);
+    const Step next = step({}, 0.05, model, path, {});
+    REQUIRE(next.solution.contact.report.status == SolveStatus::Solved);
+    return next.state.solution.displacement;
+  };
+  CHECK(shorter(true) == shorter(false));
+}
