@@ -9,6 +9,7 @@
 #include "papers/solver_table.hpp"
 #include "signorini/scene/rigid_modes.hpp"
 #include "signorini/solvers/lemke.hpp"
+#include "signorini/solvers/quasi_active_set.hpp"
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
@@ -179,4 +180,29 @@ TEST_CASE("a method that breaks down without a word still has a reason at the en
   const CertifiedSolution without = certified(pull, step, Eigen::Vector2d::Zero(), {nothing});
   CHECK(without.state.report.status == SolveStatus::Breakdown);
   CHECK_FALSE(without.state.reason.empty());
+}
+
+TEST_CASE("after a method that breaks down none is asked that takes no friction where there is some",
+          "[certified_solve]") {
+  // A spring in each direction, pressed by 1 and dragged by 0.2: it sticks.
+  const VectorXd load = (VectorXd(2) << 1, 0.2).finished();
+  const QuadraticProgramme programme{MatrixXd::Identity(2, 2).sparseView(), load,
+                                     MatrixXd::Identity(2, 2).sparseView(), VectorXd::Zero(2)};
+  ContactProblem problem{MatrixXd::Identity(2, 2), -load.head(1), -load.tail(1)};
+  problem.law = law_of_all(VectorXd::Constant(1, 0.5), VectorXd::Zero(1));
+  // A proof that proves nothing.
+  recital = {{claim(SolveStatus::Infeasible, VectorXd::Zero(1), {})}};
+  recital.answers[0].farkas_certificate = VectorXd::Ones(1);
+  const auto end = [&](const std::vector<Solver (*)()>& others) {
+    recital.next = 0;
+    Ledger ledger;
+    const Solver solver = {"recital", "says what it was told to", recite};
+    return certified_solve(programme,
+                           {problem, load, [](const VectorXd& force) { return force; }}, {},
+                           Solver(solver).with_friction(Takes::Also).before(others), {}, ledger);
+  };
+  CHECK(end({quasi_active_set}).state.report.status != SolveStatus::Solved);
+  const CertifiedSolution solved = end({quasi_active_set, lemke});
+  CHECK(solved.state.report.status == SolveStatus::Solved);
+  CHECK((solved.solution.force - load).norm() <= 1e-15);
 }

@@ -137,7 +137,9 @@ void Checked::measure() {
     length_ = std::max(length_, length / norm_[at(row)]);
   }
   // Without a load, contact forces that u in two doubles cannot resolve are measured by those that it could make.
-  if ((given_.load.array() == 0).all() && force_ <= resolved_) force_ = inside_;
+  if ((given_.load.array() != 0).any() || force_ > resolved_) return;
+  for (const Wide& u : u_) inside_ = std::max(inside_, Wide(stiffest_) * size(u));
+  force_ = inside_;
 }
 
 void Checked::look_at_forces() {

@@ -194,8 +194,10 @@ CertifiedSolution certified_solve(const QuadraticProgramme& programme,
     const SolveStatus status = end.state.report.status;
     const bool lost = status == SolveStatus::Breakdown || status == SolveStatus::IterationLimit;
     if (!lost || options.iteration_limit > 0) break;
+    const Solver member = next();
+    if (!takes(member, condensed.problem)) continue;
     CertifiedSolution other =
-        CertifiedSolve(programme, condensed, null_vectors, ledger).run(next(), options);
+        CertifiedSolve(programme, condensed, null_vectors, ledger).run(member, options);
     Report both = end.state.report;
     append(both, other.state.report);
     if (other.state.report.status == SolveStatus::Solved)

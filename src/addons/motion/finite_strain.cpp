@@ -129,7 +129,7 @@ void release_across(HyperelasticLaw law, const Cell& cell, const Lame& lame, Com
                     StressResponse& response) {
   constexpr int most_tries = 50;  // each doubles the digits, behind a few that only come closer
   const double nu = cell.material.poisson_ratio;
-  H(4) = std::exp(-nu / (1 - nu) * std::log1p(area_change(H))) - 1;
+  H(4) = std::expm1(-nu / (1 - nu) * std::log1p(area_change(H)));
   for (int k = 0; k < most_tries; ++k) {
     law(lame, H, response);
     const double change = -response.piola(4) / response.tangent(4, 4);
@@ -137,6 +137,7 @@ void release_across(HyperelasticLaw law, const Cell& cell, const Lame& lame, Com
     H(4) += change;
     if (std::abs(change) > epsilon * (1 + H(4))) continue;
     const Components coupled = response.tangent.col(4);
+    response.piola += change * coupled;  // what is nothing beside 1 is all of a small strain
     response.tangent -= coupled * coupled.transpose() / coupled(4);
     response.piola(4) = 0;
     return;

@@ -84,6 +84,7 @@ struct Moving {
   Ledger ledger;
   BodyAnswers bodies = BodyAnswers(model);
   Eigen::SparseMatrix<double> stiffness = model.programme.stiffness;  ///< of the scene
+  Factor factor = condensed.factor;                                   ///< of that
   VectorXd load = model.programme.load;                               ///< of the scene
   VectorXd outer = outer_forces(model);
   Displaced at = before;              ///< where the model is linear about
@@ -235,8 +236,9 @@ void Moving::conclude(Solution& solution) const {
     programme.load = load;
 }
 
-/// Leaves to later steps the K of the scene.
+/// Leaves to later steps the K of the scene and its factor: the first step may be tried again, from rest.
 void Moving::give_back() const {
+  condensed.factor = factor;
   model.programme.stiffness = stiffness;
   model.programme.reached = {};
 }
