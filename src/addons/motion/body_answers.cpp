@@ -74,27 +74,23 @@ void add_ahead(const Numbers& numbers, const CellMatrix& K, const NodeArray& goi
 }
 
 /// Where the entries of a cell are among the values of K, column by column; -1 of those that K does not have.
-std::vector<int> places_in(const Numbers& numbers, Eigen::SparseMatrix<double>& K) {
+void find_places(const Numbers& numbers, Eigen::SparseMatrix<double>& K, int* place) {
   const Index n = 2 * numbers.cell.element.n_nodes;
-  std::vector<int> places;
-  places.reserve(static_cast<std::size_t>(n * n));
   for (Index j = 0; j < n; ++j)
     for (Index i = 0; i < n; ++i) {
       const Index row = numbers.unknown(i);
       const Index column = numbers.unknown(j);
-      places.push_back(row < 0 || column < 0
-                           ? -1
-                           : static_cast<int>(&K.coeffRef(row, column) - K.valuePtr()));
+      *place++ = row < 0 || column < 0
+                     ? -1
+                     : static_cast<int>(&K.coeffRef(row, column) - K.valuePtr());
     }
-  return places;
 }
 
-/// Adds a matrix of a cell to those values.
-void add_values(const CellMatrix& cell, const std::vector<int>& places,
-            Eigen::SparseMatrix<double>& K) {
+/// Adds a matrix of a cell, so many times, to those values.
+void add_values(const CellMatrix& cell, double times, const int* place,
+                Eigen::SparseMatrix<double>& K) {
   for (Index k = 0; k < cell.size(); ++k)
-    if (const int place = places[static_cast<std::size_t>(k)]; place >= 0)
-      K.valuePtr()[place] += cell.data()[k];
+    if (place[k] >= 0) K.valuePtr()[place[k]] += times * cell.data()[k];
 }
 
 /// Springs pull along fixed axes, however far they are drawn.
@@ -114,42 +110,56 @@ void add_springs(const BodyModel& body, const Displaced& at, const NodeArray& go
 
 }  // namespace
 
-BodyAnswers::BodyAnswers(const Model& model) : stiffness_(model.programme.stiffness) {
+BodyAnswers::BodyAnswers(const Model& model) : rest_(model.programme.stiffness) {
   for (const BodyModel& body : model.bodies) {
-    std::vector<CellAtRest>& own = cells_.emplace_back();
-    own.reserve(static_cast<std::size_t>(body.mesh.n_cells()));
+    const Index entries = 4 * body.element.n_nodes * body.element.n_nodes;
+    const bool finite = body.material.base.law != nullptr;
+    finite_ = finite_ || finite;
+    BodyAtRest& own = bodies_.emplace_back();
+    if (finite)
+      own.places.resize(entries, body.mesh.n_cells());
+    else
+      own.stiffness.resize(entries, body.mesh.n_cells());
     visit_cells(body.mesh, body.element, body.material, [&](const Cell& cell) {
-      own.push_back({cell_stiffness(cell.element, cell.body), {}});
-      if (cell.material.law == nullptr) return;
-      finite_ = true;
-      own.back().places = places_in({model.unknowns, body.first_node, cell}, stiffness_);
+      const CellMatrix K = cell_stiffness(cell.element, cell.body);
+      if (!finite) {
+        own.stiffness.col(cell.number).head(K.size()) =
+            Eigen::Map<const VectorXd>(K.data(), K.size());
+        return;
+      }
+      int* const place = own.places.col(cell.number).data();
+      find_places({model.unknowns, body.first_node, cell}, rest_, place);
+      add_values(K, -1, place, rest_);
     });
   }
+}
+
+void BodyAnswers::ask(const Cell& cell, const BodyAtRest& rest, const CellVector& u,
+                      CellAnswer& answer) {
+  if (cell.material.law != nullptr) return cell.material.law->answer(cell, u, answer);
+  const Index n = u.size();
+  answer.tangent = Eigen::Map<const Eigen::MatrixXd>(rest.stiffness.col(cell.number).data(), n, n);
+  answer.force = answer.tangent * u;
 }
 
 BodyAnswer BodyAnswers::at(const Model& model, const Displaced& at, const NodeArray& going_on,
                            Eigen::SparseMatrix<double>* tangent) const {
   const Index n = model.unknowns.count;
   BodyAnswer all{VectorXd::Zero(n), VectorXd::Zero(n), VectorXd::Zero(n)};
-  if (tangent != nullptr) *tangent = stiffness_;
+  if (tangent != nullptr) *tangent = rest_;
   CellAnswer answer;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const BodyModel& body = model.bodies[b];
+    const BodyAtRest& rest = bodies_[b];
     visit_cells(body.mesh, body.element, body.material, [&](const Cell& cell) {
-      const CellAtRest& rest = cells_[b][static_cast<std::size_t>(cell.number)];
-      const CellMatrix& before = rest.stiffness;
       const CellVector u = less_shift(cell, body.first_node, at);
       const Numbers numbers{model.unknowns, body.first_node, cell};
-      if (cell.material.law != nullptr) {
-        cell.material.law->answer(cell, u, answer);
-        if (tangent != nullptr) add_values(answer.tangent - before, rest.places, *tangent);
-      } else {
-        answer.force = before * u;
-      }
-      add_ahead(numbers, cell.material.law != nullptr ? answer.tangent : before, going_on,
-                all.ahead);
+      ask(cell, rest, u, answer);
+      if (tangent != nullptr && rest.places.size() > 0)
+        add_values(answer.tangent, 1, rest.places.col(cell.number).data(), *tangent);
+      add_ahead(numbers, answer.tangent, going_on, all.ahead);
       const double size = answer.force.cwiseAbs().maxCoeff() +
-                          before.diagonal().maxCoeff() *
+                          answer.tangent.diagonal().maxCoeff() *
                               rounding(u.cwiseAbs().maxCoeff(), farthest(numbers, at.high)) /
                               certificate_tolerance;
       for (Index k = 0; k < answer.force.size(); ++k)

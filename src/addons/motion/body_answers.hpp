@@ -6,6 +6,7 @@
 #include <Eigen/SparseCore>
 #include <vector>
 
+#include "signorini/fem/strain_law.hpp"
 #include "signorini/scene/step_loop.hpp"
 
 namespace signorini {
@@ -40,13 +41,16 @@ class BodyAnswers {
   [[nodiscard]] bool finite() const { return finite_; }
 
  private:
-  struct CellAtRest {
-    CellMatrix stiffness;
-    std::vector<int> places;  // of its entries among the values of K, if it has a law
+  struct BodyAtRest {  // one or the other, a column for each cell
+    Eigen::MatrixXd stiffness;  // of small strain: K of the cell
+    Eigen::MatrixXi places;     // with a law: of its entries among the values of K
   };
 
-  std::vector<std::vector<CellAtRest>> cells_;  // of each body
-  Eigen::SparseMatrix<double> stiffness_;       // K before strain
+  static void ask(const Cell& cell, const BodyAtRest& rest, const CellVector& u,
+                  CellAnswer& answer);
+
+  std::vector<BodyAtRest> bodies_;
+  Eigen::SparseMatrix<double> rest_;  // K before strain, without the cells that have a law
   bool finite_ = false;
 };
 

@@ -51,16 +51,16 @@ Lame lame_of(const Material& material) {
   return {E * nu / ((1 + nu) * (1 - 2 * nu)), E / (2 * (1 + nu))};
 }
 
-/// G at a point: in axial symmetry the circle through it becomes longer by u_r / r.
-void write_map(const Cell& cell, const Eigen::Vector2d& local, GradientMap& G) {
-  const Shape shape = cell.element.shape(local.x(), local.y());
-  const CellNodes gradient = jacobian(shape, cell.body.arms).gradient;
-  const CellScalars hoop = cell.body.hoop(shape.value, shape.value);
-  G.setZero(5, 2 * cell.element.n_nodes);
-  for (Index k = 0; k < cell.element.n_nodes; ++k) {
-    G.block<2, 1>(0, 2 * k) = gradient.row(k).transpose();
-    G.block<2, 1>(2, 2 * k + 1) = gradient.row(k).transpose();
-    if (hoop.size() > 0) G(4, 2 * k) = hoop(k);
+/// G at a point, read off its strain operator: the shear of a cell has all derivatives of its shape functions, whatever was
+/// done to its volume. In axial symmetry the circle through the point becomes longer by u_r / r.
+void write_map(const StrainMatrix& B, GradientMap& G) {
+  G.setZero(5, B.cols());
+  for (Index k = 0; k < B.cols(); k += 2) {
+    G(0, k) = B(2, k + 1);
+    G(1, k) = B(2, k);
+    G(2, k + 1) = B(2, k + 1);
+    G(3, k + 1) = B(2, k);
+    if (B.rows() == 4) G(4, k) = B(3, k);
   }
 }
 
@@ -170,7 +170,7 @@ void sample(const Cell& cell, const CellVector& displacement, std::vector<Place>
   for (std::size_t q = 0; q < places.size(); ++q) {
     Place& at = places[q];
     at.volume = points.point[q].volume;
-    write_map(cell, points.point[q].local, at.G);
+    write_map(points.point[q].B, at.G);
     at.H = at.G * displacement;
     require_upright(cell, std::min(1 + area_change(at.H), 1 + at.H(4)));
   }
@@ -187,6 +187,25 @@ void scale_map(const MeanVolume& mean, std::size_t q, const Components& piola, P
   tangent += at.volume * (pushed * g.transpose() + g * pushed.transpose() +
                           piola.dot(F) * (g * g.transpose() + mean.curvature[q]));
   at.G += F * g.transpose();
+}
+
+/// \f$ w G^T P \f$ and \f$ w G^T A G \f$ of a point, with the number of unknowns as a constant, so that products are unrolled.
+template <int n>
+void add_point(const Place& at, const StressResponse& response, CellAnswer& answer) {
+  const Eigen::Map<const Eigen::Matrix<double, 5, n>> G(at.G.data());
+  const Eigen::Matrix<double, 5, n> pushed = at.volume * (response.tangent * G);
+  Eigen::Map<Eigen::Matrix<double, n, 1>>(answer.force.data()) +=
+      at.volume * (G.transpose() * response.piola);
+  Eigen::Map<Eigen::Matrix<double, n, n>>(answer.tangent.data()) += G.transpose() * pushed;
+}
+
+void add_point(const Place& at, const StressResponse& response, CellAnswer& answer) {
+  switch (at.G.cols()) {
+    case 6: return add_point<6>(at, response, answer);
+    case 8: return add_point<8>(at, response, answer);
+    case 12: return add_point<12>(at, response, answer);
+    default: return add_point<16>(at, response, answer);
+  }
 }
 
 }  // namespace
@@ -214,8 +233,7 @@ void finite_answer(HyperelasticLaw law, const Cell& cell, const CellVector& disp
     else
       law(lame, at.H, response);
     if (averaged) scale_map(mean, q, response.piola, at, answer.tangent);
-    answer.force += at.volume * (at.G.transpose() * response.piola);
-    answer.tangent += at.volume * (at.G.transpose() * response.tangent * at.G);
+    add_point(at, response, answer);
     answer.stress.row(static_cast<Index>(q)) = true_stress(at.H, response.piola).transpose();
     answer.energy += at.volume * response.energy;
   }
