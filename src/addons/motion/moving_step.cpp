@@ -22,6 +22,7 @@
 #include "addons/motion/held_by_pairs.hpp"
 #include "addons/motion/linear_problem.hpp"
 #include "addons/motion/moved_pairs.hpp"
+#include "addons/motion/slow_ways.hpp"
 #include "addons/motion/turns.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
@@ -86,6 +87,7 @@ struct Moving {
   std::vector<Index> held = {};       ///< rows that held in the last iteration, see held_rows()
   VectorXd turning = {};              ///< contact forces of the last iteration
   bool bounded = false;               ///< whether only springs held a body in it
+  SlowWays ways = {};                 ///< of the iterations so far
   std::string reason = {};            ///< why a place cannot be gone to
 
   [[nodiscard]] bool at_rest() const { return at.high.isZero(0) && at.low.isZero(0); }
@@ -173,9 +175,14 @@ Displaced Moving::ahead(const Solution& solution, double share) const {
 bool Moving::goes_to(const Solution& solution) {
   const double way = largest(solution.refined.displacement);
   const double farthest = bounded_way * smallest_size(model);
-  double share = bounded && way > farthest ? farthest / way : 1;
+  const std::vector<ContactStatus> statuses = all_statuses(solution.contact);
+  double share = bounded && way > farthest ? farthest / way
+                 : left_to_give(model.unknowns, at).isZero(0)
+                     ? ways.share(solution.refined.displacement, statuses)
+                     : 1;
   for (int halved = 0; halved <= model.path.halvings; ++halved, share /= 2) try {
       linearise(ahead(solution, share));
+      ways.gone(solution.refined.displacement, statuses, share);
       return true;
     } catch (const ProblemError& error) {
       reason = error.what();
