@@ -28,7 +28,7 @@ int ways_to_end(const Vector2d& left) {
 }  // namespace
 
 TEST_CASE("ways that shrink slowly, or swing, come to their end", "[motion]") {
-  // Of one number, or of two that shrink alike, the series is exact: the fifth way ends at its sum, but for rounding.
+  // Of one number, or of two that shrink alike, the series is exact: the fourth way ends at its sum, but for rounding.
   CHECK(ways_to_end({0.95, 0.95}) <= 6);
   CHECK(ways_to_end({-0.95, -0.95}) <= 6);
   // All of each way would take 539 of them.
@@ -43,7 +43,7 @@ TEST_CASE("all of a way is gone if pairs change, and if ways grow along themselv
   CHECK(ways.share(way, same) == 1);
   ways.gone(way, same, 1);
   CHECK(ways.share(-0.9 * way, same) == 1);  // as yet
-  for (int k = 0; k < 3; ++k) ways.gone(way, same, 1);
+  for (int k = 0; k < 2; ++k) ways.gone(way, same, 1);
   CHECK(ways.share(-0.9 * way, same) == 1 / 1.9);
   CHECK(ways.share(-0.9 * way, {ContactStatus::Stick, ContactStatus::Stick}) == 1);
   CHECK(ways.share(0.4 * way, same) == 1);

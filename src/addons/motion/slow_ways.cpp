@@ -8,7 +8,7 @@
 // is where the line through the last two ways comes nearest to none. With all of the way gone and \f$ d_k = q\,d_{k-1} \f$ it is
 // 1/(1 - q): half of a way that swings, ten times a way that shrinks by a tenth. This is known as Aitken's relaxation.
 //
-// Newton's method far from its end has long ways too, and its own are better. So three in a row must be slow before one is
+// Newton's method far from its end has long ways too, and its own are better. So two in a row must be slow before one is
 // changed.
 
 #include "addons/motion/slow_ways.hpp"
@@ -18,7 +18,7 @@
 namespace signorini {
 namespace {
 
-constexpr int patience = 3;
+constexpr int patience = 2;
 
 }  // namespace
 

@@ -14,7 +14,7 @@ class SlowWays {
  public:
   /// \param way       of the next iteration, to where its linear problem has the unknowns [length]
   /// \param statuses  of the pairs on it
-  /// \return the share of it to go: 1, unless the pairs do what they did, three ways have been slow, and this is more than
+  /// \return the share of it to go: 1, unless the pairs do what they did, two ways have been slow, and this is more than
   ///   half of the last one
   [[nodiscard]] double share(const Eigen::VectorXd& way,
                              const std::vector<ContactStatus>& statuses) const;
