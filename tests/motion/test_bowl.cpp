@@ -23,18 +23,16 @@ Scene tool_in_bowl(const char* law, bool tool_is_source, double angle) {
   Scene scene;
   scene.bodies.resize(2);
   Body& base = scene.bodies[0];
-  base.mesh = mapped(block("bowl", {-2, -1}, {4, 1}, 40, 10),
-                     [](const Vector2d& x) -> Vector2d {
-                       return {x.x(), x.y() + (x.y() + 1) * bowl(x.x())};
-                     });
+  base.mesh = mapped(block("bowl", {-2, -1}, {4, 1}, 40, 10), [](const Vector2d& x) -> Vector2d {
+    return {x.x(), x.y() + (x.y() + 1) * bowl(x.x())};
+  });
   base.supports = {fixed("bottom")};
   Body& tool = scene.bodies[1];
-  tool.mesh = mapped(block("tool", {-0.5, 0}, {1, 0.5}, 14, 8),
-                     [=](const Vector2d& x) -> Vector2d {
-                       const Vector2d arm(x.x(), x.y() + bowl(x.x()) * (1 - x.y() / 0.5) - radius);
-                       return {std::cos(angle) * arm.x() - std::sin(angle) * arm.y(),
-                               radius + std::sin(angle) * arm.x() + std::cos(angle) * arm.y()};
-                     });
+  tool.mesh = mapped(block("tool", {-0.5, 0}, {1, 0.5}, 14, 8), [=](const Vector2d& x) -> Vector2d {
+    const Vector2d arm(x.x(), x.y() + bowl(x.x()) * (1 - x.y() / 0.5) - radius);
+    return {std::cos(angle) * arm.x() - std::sin(angle) * arm.y(),
+            radius + std::sin(angle) * arm.x() + std::cos(angle) * arm.y()};
+  });
   tool.loads.body_force = [](const Vector2d&) { return Vector2d(0, -1); };
   for (Body& body : scene.bodies) {
     body.element = "q4";

@@ -55,10 +55,9 @@ TEST_CASE("the forces that it compares with are those of a stretched bar", "[mot
     PlaneState state;
     double stress;  // first Piola
   };
-  for (const Bar& bar :
-       {Bar{"neo_hooke", PlaneState::Strain, 1.2 * (s - 1 / s + std::log(s) / s)},
-        Bar{"st_venant_kirchhoff", PlaneState::Strain, 1.2 * s * 3 * E},
-        Bar{"st_venant_kirchhoff", PlaneState::Stress, 1.2 * s * 8 * E / 3}})
+  for (const Bar& bar : {Bar{"neo_hooke", PlaneState::Strain, 1.2 * (s - 1 / s + std::log(s) / s)},
+                         Bar{"st_venant_kirchhoff", PlaneState::Strain, 1.2 * s * 3 * E},
+                         Bar{"st_venant_kirchhoff", PlaneState::Stress, 1.2 * s * 8 * E / 3}})
     for (const char* name : {"q4", "q4_bbar", "q8", "t3", "t6"}) {
       CAPTURE(name, bar.law, to_string(bar.state));
       const Element& element = find_element(name);

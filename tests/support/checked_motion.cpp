@@ -57,8 +57,8 @@ void answer_by_laws(const Scene& scene, const Scene& still, const Model& model,
     if (material.law == nullptr) continue;
     const BodyModel& body = model.bodies[b];
     const auto number = model.unknowns.number.middleRows(body.first_node, body.mesh.n_nodes());
-    LongNodes u = model.unknowns.held.middleRows(body.first_node, body.mesh.n_nodes())
-                      .cast<long double>();
+    LongNodes u =
+        model.unknowns.held.middleRows(body.first_node, body.mesh.n_nodes()).cast<long double>();
     for (Index node = 0; node < u.rows(); ++node)
       for (const Index axis : {0, 1})
         if (const Index k = number(node, axis); k >= 0)
@@ -137,8 +137,8 @@ SceneErrors check_motion(const Scene& scene, const Model& model, const VectorXd&
   if (pairs > 0)
     grow(errors.reading, (there.pairs.weight - model.pairs.weight).cwiseAbs().maxCoeff() /
                              there.pairs.weight.maxCoeff());
-  grow(errors.sliding, driven(model, before.size() == 0 ? all : VectorXd(all - before),
-                              step.solution.contact));
+  grow(errors.sliding,
+       driven(model, before.size() == 0 ? all : VectorXd(all - before), step.solution.contact));
   return errors;
 }
 

@@ -64,8 +64,8 @@ Energy energy_of(const Material& material) {
 /// The stretch across that leaves a sheet without stress there.
 Real free_stretch(const Energy& energy, const Deformation<Complex>& F) {
   const Real J = F.F11.real() * F.F22.real() - F.F12.real() * F.F21.real();
-  const Real squares = std::norm(F.F11.real()) + std::norm(F.F12.real()) +
-                       std::norm(F.F21.real()) + std::norm(F.F22.real());
+  const Real squares = std::norm(F.F11.real()) + std::norm(F.F12.real()) + std::norm(F.F21.real()) +
+                       std::norm(F.F22.real());
   if (!energy.rubber)
     return std::sqrt(1 - energy.lambda / (energy.lambda + 2 * energy.mu) * (squares - 2));
   // mu (e^2t - 1) + lambda (ln J + t) = 0 is convex in t: Newton's method comes from the right after one step.

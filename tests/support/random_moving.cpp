@@ -42,9 +42,7 @@ Laws drawn_laws(Draws& draw) {
   Laws laws;
   if (draw.chance(8)) return laws;
   const int which = draw.whole(0, 3);
-  const auto law = [&] {
-    return find_strain_law(draw.pick({"neo_hooke", "st_venant_kirchhoff"}));
-  };
+  const auto law = [&] { return find_strain_law(draw.pick({"neo_hooke", "st_venant_kirchhoff"})); };
   if (which != 1) laws.base = law();
   if (which != 2) laws.tool = law();
   return laws;
@@ -125,12 +123,13 @@ Scene random_moving(Draws& draw) {
   const MeshOrder order = draw.chance(3) ? MeshOrder::Quadratic : MeshOrder::Linear;
   // A ring on its way along the inside of another one.
   const bool round = units.upright && units.shift.y() < 0 && draw.chance(8);
-  const PlaneState state = round             ? PlaneState::Axial
+  const PlaneState state = round            ? PlaneState::Axial
                            : draw.chance(5) ? PlaneState::Stress
                                             : PlaneState::Strain;
   const Laws laws = drawn_laws(draw);
   draw.say("length ", units.length, " stress ", units.stress, " shift ", units.shift.transpose(),
-           units.upright ? " upright " : " ", to_string(state), order == MeshOrder::Quadratic ? " quadratic" : "");
+           units.upright ? " upright " : " ", to_string(state),
+           order == MeshOrder::Quadratic ? " quadratic" : "");
   const double wave = draw.pick({0.0, 0.0, 2e-4, 1e-3});
   const double bulge = draw.pick({0.0, 0.05, 0.3});
   const double start = draw.sixteenths(16, 32);

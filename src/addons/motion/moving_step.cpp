@@ -22,6 +22,7 @@
 #include "addons/motion/held_by_pairs.hpp"
 #include "addons/motion/linear_problem.hpp"
 #include "addons/motion/moved_pairs.hpp"
+#include "addons/motion/slow_ways.hpp"
 #include "addons/motion/turns.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
@@ -92,6 +93,7 @@ struct Moving {
   VectorXd turning = {};              ///< contact forces of the last iteration
   bool bounded = false;               ///< whether only springs held a body in it
   int iteration = 0;                  ///< that is made
+  SlowWays ways = {};                 ///< of the iterations so far
   std::string reason = {};            ///< why a place cannot be gone to
 
   /// Whether iterations have tangents of their own: under finite strain, and where one factor leads nowhere.
@@ -183,9 +185,15 @@ Displaced Moving::ahead(const Solution& solution, double share) const {
 bool Moving::goes_to(const Solution& solution) {
   const double way = largest(solution.refined.displacement);
   const double farthest = bounded_way * smallest_size(model);
-  double share = bounded && way > farthest ? farthest / way : 1;
+  const std::vector<ContactStatus> statuses = all_statuses(solution.contact);
+  double share = bounded && way > farthest ? farthest / way
+                 : left_to_give(model.unknowns, at).isZero(0)
+                     ? ways.share(solution.refined.displacement, statuses)
+                     : 1;
   for (int halved = 0; halved <= model.path.halvings; ++halved, share /= 2) try {
       linearise(ahead(solution, share));
+      ways.gone(solution.refined.displacement, statuses, share);
+      reason.clear();
       return true;
     } catch (const ProblemError& error) {
       reason = error.what();
@@ -244,10 +252,10 @@ void Moving::give_back() const {
 }
 
 std::string why_not_ended(const std::string& reason) {
-  if (!reason.empty()) return text("where the bodies come to stand no pairs are found: ", reason);
-  return text("where the bodies come to stand other pairs are found each time, after ",
+  if (!reason.empty()) return text("the bodies cannot come to stand there: ", reason);
+  return text("the equations of where the bodies come to stand did not hold after ",
               most_iterations,
-              " searches: take shorter steps, and the softer and finer side as the source");
+              " iterations: take shorter steps, and the softer and finer side as the source");
 }
 
 /// What is known of the pairs that were, for those that are now.

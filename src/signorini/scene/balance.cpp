@@ -41,10 +41,12 @@ double cross(const Vector2d& arm, const Vector2d& force) {
 }
 
 // The middle of every body and how far its nodes are from there. Moments about a far origin
-// would be large and cancel. The reach tells how large a moment the largest force can make.
+// would be large and cancel. The reach tells how large a moment the largest force can make, and the rounding by how much
+// places may be wrong that are sums.
 struct Extent {
   Vector2d middle;
   double reach;
+  double rounding = 0;
 };
 
 Extent extent(const NodeArray& nodes) {
@@ -54,18 +56,23 @@ Extent extent(const NodeArray& nodes) {
 
 // Forces act where the bodies are: if pairs were found where they have moved to, there. A couple of
 // forces that is in balance at one place of two bodies may turn them at another, so that moments
-// must be taken in the present places.
+// must be taken in the present places. Those of pairs and of nodes are rounded one by one, far from the origin by more than a
+// certificate lets pass of a moment: two roundings of each place are no error of forces.
 Extent extent(const Model& model, const BodyModel& body) {
   if (!model.standing) return extent(body.mesh.nodes);
   const NodeArray& moved = model.standing->displacement;
-  return extent(body.mesh.nodes + moved.middleRows(body.first_node, body.mesh.n_nodes()));
+  const NodeArray there = body.mesh.nodes + moved.middleRows(body.first_node, body.mesh.n_nodes());
+  Extent whole = extent(there);
+  whole.rounding = 2 * epsilon * there.cwiseAbs().maxCoeff();
+  return whole;
 }
 
 // tell() adds what a reader adds, hand_on() takes away what the nodes got. If both agree,
 // the three sums of every body are zero but for rounding.
 class Balance {
  public:
-  explicit Balance(const Model& model) : model_(model), sums_(model.bodies.size(), Sum{}) {
+  explicit Balance(const Model& model)
+      : model_(model), sums_(model.bodies.size(), Sum{}), pushed_(model.bodies.size(), 0) {
     for (const BodyModel& body : model.bodies) extents_.push_back(extent(model, body));
   }
 
@@ -81,6 +88,7 @@ class Balance {
     const Vector2d x = pairs.position.row(pair).transpose();
     const auto act = [&](std::size_t body, const Vector2d& along, double moment) {
       add(sums_[body], force, along, moment + cross(x - extents_[body].middle, along));
+      pushed_[body] += std::abs(force) * along.norm();
     };
     act(bodies.source, direction, pairs.moment(pair, which));
     if (bodies.target) act(*bodies.target, -direction, pairs.target_moment(pair, which));
@@ -110,7 +118,9 @@ class Balance {
     for (std::size_t body = 0; body < sums_.size(); ++body)
       for (int k = axial ? 1 : 0; k < (axial ? 2 : 3); ++k) {
         const double size = largest_force * (k == 2 ? extents_[body].reach : 1);
-        const double off = static_cast<double>(std::abs(sums_[body][static_cast<std::size_t>(k)]));
+        const double rounding = k == 2 ? extents_[body].rounding * pushed_[body] : 0;
+        const double off =
+            static_cast<double>(std::abs(sums_[body][static_cast<std::size_t>(k)])) - rounding;
         if (off > 0) worst = std::max(worst, off / size);
       }
     return worst;
@@ -120,6 +130,7 @@ class Balance {
   const Model& model_;
   std::vector<Extent> extents_;
   std::vector<Sum> sums_;
+  std::vector<double> pushed_;  // magnitudes of the forces of pairs, summed
 };
 
 }  // namespace
