@@ -132,6 +132,9 @@ std::string exceeded(const Model& model, const Solution& solution, const SmallLi
                  in_brackets(model.pairs.position.row(pair)));
   if (list.empty()) return list;
   const bool absurd = strain.value > 1 || pressure > 1;
+  if (model.loop)
+    return text("strains of bodies without a law are taken for small, but here they are not: ",
+                list.substr(2), ". Give their materials a law of finite strain, as law = \"neo_hooke\"");
   return text("linear elasticity takes deformations for small, but here they are not: ",
               list.substr(2), ". ",
               absurd ? "So much comes of units mostly: compare those of lengths, loads and Young's "

@@ -73,7 +73,7 @@ void add_ahead(const Numbers& numbers, const CellMatrix& K, const NodeArray& goi
   }
 }
 
-/// Where the entries of a cell are among the values of K, column by column; -1 of those that K does not have.
+/// Where the entries of a cell are among the values of K, which has all of them, column by column; -1 of held components.
 void find_places(const Numbers& numbers, Eigen::SparseMatrix<double>& K, int* place) {
   const Index n = 2 * numbers.cell.element.n_nodes;
   for (Index j = 0; j < n; ++j)

@@ -33,7 +33,7 @@ class BodyAnswers {
   /// \param going_on   `n_nodes x 2` what supports move until the end of the step, 0 elsewhere [length]
   /// \param[out] tangent  if not null: K of the model with the tangents of cells that have a law
   /// \return forces
-  /// \throws ProblemError if a cell turns over
+  /// \throws ProblemError if a cell inverts
   [[nodiscard]] BodyAnswer at(const Model& model, const Displaced& at, const NodeArray& going_on,
                               Eigen::SparseMatrix<double>* tangent) const;
 

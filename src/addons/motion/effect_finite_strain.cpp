@@ -11,40 +11,36 @@
 namespace signorini {
 namespace {
 
-bool has_law(const Body& body) { return body.material.law != nullptr; }
+const char* name_of(const StrainLaw* law) { return law == nullptr ? "small" : law->name; }
 
-/// A cell of small strain in a body that turns would be wrong, and one of a law in a body that may not turn no use.
+/// A cell of small strain in a body that turns would be wrong. A cell with a law in a body of small strain would be of no use.
 void check_layers(const Body& body) {
   for (const Layer& layer : body.layers)
     require_input((layer.material.law != nullptr) == has_law(body), "layer '", layer.region,
-                  "' of '", body.mesh.name,
-                  "': either all of a body has laws of finite strain, or nothing of it");
+                  "' of '", body.mesh.name, "': it has the law ", name_of(layer.material.law),
+                  ", but its body ", name_of(body.material.law),
+                  "; either all of a body has laws of finite strain, or nothing of it");
 }
 
 /// An element that a law can be asked in. Internal modes of a cell in compression find hourglasses that resist nothing.
-/// \return whether the usual one was replaced
-bool choose_element(const Body& body, BodyModel& planned) {
+void check_element(const Body& body, const BodyModel& planned) {
   const std::string what =
       text("body '", planned.mesh.name, "' with the law ", body.material.law->name);
-  const bool other = planned.element.relax != nullptr && body.element.empty();
-  if (other) planned.element = q4_bbar();
   require_input(planned.element.relax == nullptr, what, ": ", planned.element.name,
-                " bends into hourglasses when it is pressed; take q4_bbar, q4 or q8");
+                " bends into hourglasses when it is pressed; take q4_bbar, q4, q8, t3 or t6");
   require_input(!planned.material.eigenstrain, what,
-                ": a temperature strains it a little only; leave the law out, or the temperature");
-  return other;
+                ": a temperature is for small strain; leave the law out, or the temperature");
 }
 
 void declare_finite_strain(const Scene& scene, Plan& draft) {
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     check_layers(scene.bodies[b]);
     if (!has_law(scene.bodies[b])) continue;
-    const bool other = choose_element(scene.bodies[b], draft.bodies[b]);
+    check_element(scene.bodies[b], draft.bodies[b]);
     draft.on.push_back(text("finite strain of '", draft.bodies[b].mesh.name, "': ",
-                            scene.bodies[b].material.law->name, other ? " in cells q4_bbar" : "",
+                            scene.bodies[b].material.law->name,
                             "; 5 to 15 tangents a step, each with a factor"));
   }
-  move_pairs(scene, "finite strain (a material with a law)", draft);
 }
 
 }  // namespace
@@ -53,9 +49,7 @@ void register_finite_strain() {
   add_strain_law(st_venant_kirchhoff());
   add_strain_law(neo_hooke());
   add_effect({"finite strain",
-              [](const Scene& scene, const Plan& /*draft*/) {
-                return std::any_of(scene.bodies.begin(), scene.bodies.end(), has_law);
-              },
+              [](const Scene& scene, const Plan& /*draft*/) { return any_law(scene); },
               declare_finite_strain, nullptr},
              "load steps");
 }

@@ -8,20 +8,20 @@ namespace signorini {
 namespace {
 
 void declare_moving(const Scene& scene, Plan& draft) {
-  require_input(!scene.contacts.empty(),
+  require_input(!scene.contacts.empty() || any_law(scene),
                 "bodies move (moves = true), but without contact their places mean nothing: "
                 "leave it out");
-  move_pairs(scene, "moving geometry (moves = true)", draft);
-  draft.on.push_back(
-      text("moving geometry: pairs are found anew in every iteration of a step, 5 to "
-           "15 of them; one factor, a compliance each; strains and turns are small"));
+  move_pairs(scene, draft);
+  draft.on.push_back(text(
+      "moving geometry: pairs are found anew in every iteration of a step, 5 to 15 of them",
+      any_law(scene) ? "" : "; one factor, a compliance each; strains and turns are small"));
 }
 
 }  // namespace
 
 void register_motion() {
   add_effect(
-      {"moving geometry", [](const Scene& scene, const Plan& /*draft*/) { return scene.moves; },
+      {"moving geometry", [](const Scene& scene, const Plan& /*draft*/) { return scene.moves || any_law(scene); },
        declare_moving, nullptr},
       "load steps");
   register_finite_strain();

@@ -68,7 +68,7 @@ void require_upright(const Cell& cell, double J) {
   if (J > 0) return;
   const Eigen::Vector2d x = cell.body.middle;
   throw ProblemError(text("cell ", cell.number, " of '", cell.mesh.name, "', at (", x.x(), ", ",
-                          x.y(), ") before it moved, turns inside out: take shorter steps, or a ",
+                          x.y(), ") before it moved, inverts: take shorter steps, or a ",
                           "finer mesh there"));
 }
 

@@ -40,7 +40,7 @@ using HyperelasticLaw = void (*)(const Lame& lame, const Components& H, StressRe
 /// \param cell          of an element without internal modes
 /// \param displacement  `2m`, see StrainLaw::answer [length]
 /// \param answer        is filled
-/// \throws ProblemError naming the cell if J <= 0 at one of its points
+/// \throws ProblemError naming the cell if J <= 0 at one of its points, or if no strain across leaves a sheet without stress
 void finite_answer(HyperelasticLaw law, const Cell& cell, const CellVector& displacement,
                    CellAnswer& answer);
 

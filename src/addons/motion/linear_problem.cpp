@@ -1,7 +1,7 @@
 // # The linear problem of an iteration
 //
-// If all strains are small, K is that of the scene, and so is its factor. An iteration then costs the compliance of the rows
-// of its pairs.
+// If all strains are small, K is that of the scene, and so is its factor. As long as this leads to an end, an iteration costs
+// the compliance of the rows of its pairs.
 //
 // Under finite strain K is the tangent of the place, and is factored. A tangent may be indefinite in a body that is stable,
 // see [held_by_pairs.cpp](held_by_pairs.cpp), and where contact has not begun to hold a body nothing makes it definite. So
@@ -15,6 +15,8 @@
 #include "addons/motion/linear_problem.hpp"
 
 #include <array>
+#include <limits>
+#include <string>
 #include <utility>
 
 #include "addons/motion/curvature.hpp"
@@ -43,6 +45,7 @@ constexpr std::array<Rung, 8> ladder = {{{true, 40, 0},
                                          {false, 40, 1e-3},
                                          {false, 40, 1e-2},
                                          {false, 40, 1e-1}}};
+constexpr std::size_t last_turning = 2;  // later rungs slow the loop: no iteration begins with them
 constexpr Rung weak = {false, 40, 1e-6};
 
 /// K less what turning contact forces add to it.
@@ -66,31 +69,70 @@ void turn_forces(const TangentProblem& problem, QuadraticProgramme& programme) {
   programme.stiffness = (programme.stiffness - turn).eval();
 }
 
+/// Rigid motions are those of K before strain, and of no other: without them as long as this lives.
+class WithoutModes {
+ public:
+  explicit WithoutModes(Model& model) : model_(model) { modes_.swap(model.modes); }
+  ~WithoutModes() { modes_.swap(model_.modes); }
+  WithoutModes(const WithoutModes&) = delete;
+  WithoutModes& operator=(const WithoutModes&) = delete;
+  WithoutModes(WithoutModes&&) = delete;
+  WithoutModes& operator=(WithoutModes&&) = delete;
+
+ private:
+  Model& model_;
+  std::vector<FreeMotion> modes_;
+};
+
 /// One try. \return nothing if K has no factor
 std::optional<Solution> try_rung(const Rung& rung, const QuadraticProgramme& before,
                                  const TangentProblem& problem, Condensed& condensed,
-                                 Ledger& ledger, std::string& reason) {
+                                 Ledger& ledger) {
   Model& model = problem.model;
-  model.programme.stiffness = before.stiffness;
-  model.programme.load = before.load;
   const double mean = mean_stiffness(before);
   if (rung.turns) turn_forces(problem, model.programme);
   hold_by_pairs(problem.held, rung.pairs * mean, model.programme);
   hold_by_springs(rung.springs * mean, model.programme);
-  std::vector<FreeMotion> modes;  // of K before strain, and of no other
-  modes.swap(model.modes);
+  const WithoutModes without(model);
   std::optional<Solution> solution;
   ledger.count("tangents tried", 1);
   try {
     condensed = condense(model, ledger);
     ledger.count("factors", 1);
-    solution = solve(model, condensed, model.solver, std::exchange(ledger, {}), problem.options);
-    ledger = std::move(solution->ledger);
-  } catch (const ProblemError& error) {
-    reason = error.what();
+    solution.emplace();
+  } catch (const ProblemError&) {
+    ledger.count("tangents without a factor", 1);
   }
-  model.modes.swap(modes);
+  if (solution) {
+    *solution = solve(model, condensed, model.solver, std::exchange(ledger, {}), problem.options);
+    ledger = std::move(solution->ledger);
+  }
+  model.programme.stiffness = before.stiffness;
+  model.programme.load = before.load;
   return solution;
+}
+
+/// The side of a cell with a law that is shortened most, in words.
+std::string most_shortened(const Model& model) {
+  double least = std::numeric_limits<double>::infinity();
+  std::string words;
+  for (const BodyModel& body : model.bodies) {
+    if (body.material.base.law == nullptr) continue;
+    const Mesh& mesh = body.mesh;
+    const auto moved = model.standing->displacement.middleRows(body.first_node, mesh.n_nodes());
+    for (Index cell = 0; cell < mesh.n_cells(); ++cell)
+      for (int k = 0; k < mesh.corners(cell); ++k) {
+        const Index from = mesh.cells(cell, k);
+        const Index to = mesh.cells(cell, (k + 1) % mesh.corners(cell));
+        const Eigen::RowVector2d side = mesh.nodes.row(to) - mesh.nodes.row(from);
+        const double left = (side + moved.row(to) - moved.row(from)).norm() / side.norm();
+        if (left >= least) continue;
+        least = left;
+        words = text("a side of cell ", cell, " of '", mesh.name, "' (",
+                     body.material.base.law->name, ") is ", left, " of what it was");
+      }
+  }
+  return words.empty() ? "all strains are small" : words;
 }
 
 }  // namespace
@@ -109,25 +151,27 @@ Solution solve_with_one_factor(const Model& model, VectorXd free, const SolverOp
 Solution solve_with_tangent(const TangentProblem& problem, Condensed& condensed, Ledger ledger,
                             bool& bounded) {
   const QuadraticProgramme before = problem.model.programme;
-  std::string reason;
   std::optional<Solution> solution;
   bounded = false;
-  for (const Rung& rung : ladder) {
-    solution = try_rung(rung, before, problem, condensed, ledger, reason);
+  const std::size_t first = problem.rung > last_turning ? 0 : problem.rung;
+  for (std::size_t k = first; k < ladder.size(); ++k) {
+    solution = try_rung(ladder[k], before, problem, condensed, ledger);
+    problem.rung = k;
     if (solution) break;
   }
   const bool flies = solution && solution->contact.unbounded_direction.size() > 0;
   if (!solution || (flies && problem.held.empty())) {
-    std::optional<Solution> small = try_rung(weak, before, problem, condensed, ledger, reason);
+    std::optional<Solution> small = try_rung(weak, before, problem, condensed, ledger);
     bounded = small && small->contact.report.status == SolveStatus::Solved;
     if (bounded || !solution) solution = std::move(small);
   }
   if (!solution) {
     solution.emplace();
     solution->contact.report.status = SolveStatus::Breakdown;
-    solution->contact.reason = text(
-        "the tangent stays indefinite, however stiffly closed pairs and springs hold it: the material, or the body, "
-        "has lost its stability there (", reason, "). Take neo_hooke, which resists any compression, shorter steps, or hold the body");
+    solution->contact.reason =
+        text("the tangent stays indefinite, however stiffly closed pairs and springs hold it: a body has lost its "
+             "stability, where ", most_shortened(problem.model),
+             ". Take shorter steps, hold the body, or a law that resists at such a strain");
   }
   solution->ledger = std::move(ledger);
   return *std::move(solution);

@@ -21,11 +21,12 @@ namespace signorini {
 
 /// The same with a tangent of its own, which may be indefinite.
 struct TangentProblem {
-  Model& model;  ///< placed, with K and p of the iteration; K and p come back changed
+  Model& model;  ///< placed, with K and p of the iteration, which it keeps
   const std::vector<Eigen::Index>& held;  ///< rows that held last, see held_rows()
   /// `n_c` forces of the last iteration, which turn with the bodies; empty: none are known [force]
   const Eigen::VectorXd& turning;
   const SolverOptions& options;           ///< for the solver
+  std::size_t& rung;  ///< of the ladder, to begin with; becomes the one that held
 };
 
 /// \param problem    of an iteration

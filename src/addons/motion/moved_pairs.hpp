@@ -14,7 +14,7 @@ namespace signorini {
 
 /// Finds the pairs of a model where its bodies stand, and writes `pairs`, `contact_of`, `law`, A and g: all of them count from
 /// there. The gap is \f$ g(\hat u) + N(\hat u)\,d \f$ of unknowns that move by d, and the slip is what the two sides have
-/// slid along each other since the last step. Given displacements move as far as the model has them at last.
+/// slid along each other since the last step. Supports move to where the model has them at the end of the step.
 /// \param scene         contacts, and of the bodies their supports
 /// \param displacement  of all nodes, from the scene to where the bodies stand
 /// \param before        the same at the end of the last step

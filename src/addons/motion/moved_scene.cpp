@@ -1,5 +1,6 @@
 #include "addons/motion/moved_scene.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -13,18 +14,19 @@ namespace {
 
 /// A contact whose pairs can be found where bodies have moved to. Node to segment fails as nodes pass the corners of sides,
 /// where its normals jump; a gap that was changed in the mesh is not the one that is found anew.
-void check_contact(const ContactSpec& contact, const std::string& moves, const Plan& draft) {
+void check_contact(const ContactSpec& contact, const Plan& draft) {
   const std::string what = describe(draft.bodies, contact);
   if (std::holds_alternative<Side>(contact.target))
     require_input(contact.gap_operator == "mortar" && contact.quadrature == Quadrature::Segments,
-                  what, ": where ", moves, ", gaps must not jump as nodes pass from side to side: ",
-                  "take operator = \"mortar\" with quadrature = \"segments\"");
+                  what, ": gaps of bodies that move must not jump as nodes pass from side to side, as ",
+                  "those of the operator ", contact.gap_operator, " do here: take operator = ",
+                  "\"mortar\" with quadrature = \"segments\"");
   require_input(contact.interference.value_or(0) == 0 && contact.adjust.value_or(0) == 0, what,
-                ": where ", moves,
-                ", gaps are those of the meshes: draw interference or adjusted "
-                "gaps into them");
-  require_input(!contact.small_sliding, what, ": where ", moves,
-                ", no sliding is too far: leave small_sliding out");
+                ": gaps of bodies that move are those of the meshes: draw ",
+                contact.adjust.value_or(0) == 0 ? "the interference" : "adjusted gaps",
+                " into them, and leave the key out");
+  require_input(!contact.small_sliding, what,
+                ": where bodies move no sliding is too far: leave small_sliding out");
 }
 
 /// What the loop needs of a scene when it finds pairs anew: no meshes and no loads.
@@ -42,11 +44,17 @@ std::shared_ptr<const Scene> contacts_of(const Scene& scene) {
 
 }  // namespace
 
-void move_pairs(const Scene& scene, const std::string& why, Plan& draft) {
-  require_input(scene.path.has_value(), why,
-                ": it does so in load steps, even if it is one: add [[steps]] with until = 1 and "
-                "count = 1 or more");
-  for (const ContactSpec& contact : scene.contacts) check_contact(contact, why, draft);
+bool has_law(const Body& body) { return body.material.law != nullptr; }
+
+bool any_law(const Scene& scene) {
+  return std::any_of(scene.bodies.begin(), scene.bodies.end(), has_law);
+}
+
+void move_pairs(const Scene& scene, Plan& draft) {
+  require_input(scene.path.has_value(),
+                any_law(scene) ? "a material has a law of finite strain" : "bodies move (moves = true)",
+                ", which takes load steps: add [[steps]] with until = 1 and count = 1 or more");
+  for (const ContactSpec& contact : scene.contacts) check_contact(contact, draft);
   draft.followed.reset();
   draft.loop = std::make_shared<const StepLoop>(
       moving_step([contacts = contacts_of(scene)](const Displaced& displacement,

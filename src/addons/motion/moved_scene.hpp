@@ -2,17 +2,19 @@
 /// \file
 /// What the effects of bodies that move ask of a scene, and hand to its plan.
 #pragma once
-#include <string>
-
 #include "signorini/scene/scene.hpp"
 
 namespace signorini {
 
 /// Checks the contacts of a scene whose bodies move, and gives the plan their loop.
 /// \param scene  with load steps
-/// \param why    they move, for messages
 /// \param[in,out] draft  with bodies
 /// \throws ProblemError if there are no load steps, or a contact cannot be found where bodies have moved to
-void move_pairs(const Scene& scene, const std::string& why, Plan& draft);
+void move_pairs(const Scene& scene, Plan& draft);
+
+/// \param body  of a scene \return whether its strains are not small
+[[nodiscard]] bool has_law(const Body& body);
+/// \param scene  any \return whether a body of it has a law of finite strain
+[[nodiscard]] bool any_law(const Scene& scene);
 
 }  // namespace signorini

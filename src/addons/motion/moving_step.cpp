@@ -2,12 +2,13 @@
 //
 // Contact of bodies that slide is no linear problem: gaps and normals depend on where the bodies are. So do forces, if strains
 // are not small. Near a place \f$ \hat u \f$ all of it is linear in the way d that is left,
-// \f[ K(\hat u)\,d = p - f(\hat u) - A^T\lambda, \qquad A = -N(\hat u), \qquad \text{gap} = g(\hat u) - Ad, \f]
+// \f[ (K - B)\,d = p - f(\hat u) - A^T\lambda, \qquad A = -N(\hat u), \qquad \text{gap} = g(\hat u) - Ad, \f]
+// where B is how contact forces turn, see [curvature.cpp](curvature.cpp),
 // and that is solved exactly, with complementarity, friction and certificate, by the road of all scenes. \f$ \hat u + d \f$ is
 // the next place. Josephy showed in 1979 that this is Newton's method for such problems.
 //
-// Where all strains are small K does not change, so that its one
-// factor serves all iterations of all steps: what an iteration costs is a search and the compliance of its rows.
+// Where all strains are small K does not change, and B may be left out as long as the loop does without. Then one factor
+// serves all iterations of all steps: what an iteration costs is a search and the compliance of its rows.
 //
 // The end has d = 0. So its digits are those of p - f and of g alone: forces of cells and gaps of places, each computed from
 // differences of nearby nodes, see [body_answers.cpp](body_answers.cpp).
@@ -96,14 +97,19 @@ struct Moving {
   SlowWays ways = {};                 ///< of the iterations so far
   std::string reason = {};            ///< why a place cannot be gone to
 
-  /// Whether iterations have tangents of their own: under finite strain, and where one factor leads nowhere.
-  [[nodiscard]] bool has_tangents() const {
-    return bodies.finite() || iteration > most_with_one_factor;
+  bool tangent_made = false;          ///< whether `condensed` has the factor of one
+  std::size_t rung = 0;               ///< of the ladder of tangents, that held last
+
+  /// Whether an iteration has a tangent of its own: under finite strain, and where one factor leads nowhere.
+  [[nodiscard]] bool has_tangent(int number) const {
+    return bodies.finite() || number > most_with_one_factor;
   }
   [[nodiscard]] bool at_rest() const { return at.high.isZero(0) && at.low.isZero(0); }
   void linearise(const Displaced& there);
   Solution linear_problem();
   [[nodiscard]] Displaced ahead(const Solution& solution, double share) const;
+  [[nodiscard]] double first_share(const VectorXd& way,
+                                   const std::vector<ContactStatus>& statuses) const;
   bool goes_to(const Solution& solution);
   [[nodiscard]] bool holds_here(Solution& solution, const Linearised& solved) const;
   void conclude(Solution& solution) const;
@@ -132,7 +138,7 @@ void Moving::linearise(const Displaced& there) {
   {
     const Ledger::Phase phase(ledger, "pairs");
     ledger.count("searches", 1);
-    place(there, before, model, has_tangents());
+    place(there, before, model, has_tangent(iteration + 1));
   }
   at = there;
   if (rest) return;
@@ -145,7 +151,8 @@ void Moving::linearise(const Displaced& there) {
 Solution Moving::linear_problem() {
   const bool rest = at_rest();
   Solution solution;
-  if (rest || !has_tangents()) {
+  if (rest || !has_tangent(iteration)) {
+    if (std::exchange(tangent_made, false)) condensed.factor = factor;
     VectorXd free = rest ? std::exchange(condensed.free_displacement, {})
                          : condensed.factor.solve(model.programme.load);
     solution =
@@ -155,7 +162,9 @@ Solution Moving::linear_problem() {
     if (!flies || !rest) return solution;
     ledger = std::move(solution.ledger);
   }
-  return solve_with_tangent({model, held, turning, options}, condensed, std::move(ledger), bounded);
+  tangent_made = true;
+  return solve_with_tangent({model, held, turning, options, rung}, condensed, std::move(ledger),
+                            bounded);
 }
 
 /// A share of the way that was found. What supports give is gone to its end exactly.
@@ -181,22 +190,27 @@ Displaced Moving::ahead(const Solution& solution, double share) const {
   return there;
 }
 
-/// Goes where a solution has the bodies, or on the way there as far as pairs can be found and no cell turns over.
-bool Moving::goes_to(const Solution& solution) {
-  const double way = largest(solution.refined.displacement);
+/// The share of a way that is tried first. While supports still move all of it is gone, or none of them would arrive.
+double Moving::first_share(const VectorXd& way, const std::vector<ContactStatus>& statuses) const {
   const double farthest = bounded_way * smallest_size(model);
+  if (bounded && largest(way) > farthest) return farthest / largest(way);
+  return left_to_give(model.unknowns, at).isZero(0) ? ways.share(way, statuses) : 1;
+}
+
+/// Goes where a solution has the bodies, or on the way there as far as pairs can be found and no cell inverts.
+bool Moving::goes_to(const Solution& solution) {
+  const VectorXd& way = solution.refined.displacement;
   const std::vector<ContactStatus> statuses = all_statuses(solution.contact);
-  double share = bounded && way > farthest ? farthest / way
-                 : left_to_give(model.unknowns, at).isZero(0)
-                     ? ways.share(solution.refined.displacement, statuses)
-                     : 1;
-  for (int halved = 0; halved <= model.path.halvings; ++halved, share /= 2) try {
+  double share = first_share(way, statuses);
+  for (int halved = 0; halved <= model.path.halvings;) try {
       linearise(ahead(solution, share));
-      ways.gone(solution.refined.displacement, statuses, share);
+      ways.gone(way, statuses, share);
       reason.clear();
       return true;
     } catch (const ProblemError& error) {
       reason = error.what();
+      halved += share > 1 ? 0 : 1;
+      share = share > 1 ? 1 : share / 2;
     }
   return false;
 }
@@ -252,7 +266,7 @@ void Moving::give_back() const {
 }
 
 std::string why_not_ended(const std::string& reason) {
-  if (!reason.empty()) return text("the bodies cannot come to stand there: ", reason);
+  if (!reason.empty()) return text("the bodies cannot come to stand where the last iteration leads: ", reason);
   return text("the equations of where the bodies come to stand did not hold after ",
               most_iterations,
               " iterations: take shorter steps, and the softer and finer side as the source");

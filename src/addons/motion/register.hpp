@@ -4,8 +4,8 @@
 
 namespace signorini {
 
-/// Adds moving geometry and finite strain to effects(). A program whose scenes have it calls this before it plans one; a program that is linked
-/// with all of the library, signorini::signorini, need not.
+/// Adds moving geometry and finite strain to effects(). A program whose scenes have them calls this before it plans one; a
+/// program that is linked with all of the library, signorini::signorini, need not.
 void register_motion();
 
 /// Adds the laws of finite strain to strain_laws(), and their effect. register_motion() does so.

@@ -19,7 +19,7 @@ constexpr double noted_turn = 1e-3;  ///< makes strains of 5e-7 of nothing [rad]
 constexpr double refused_turn =
     1e-2;  ///< makes strains of 5e-5, and places beside the right one [rad]
 
-/// The piece of each node.
+/// Whether each node is of a piece.
 std::vector<bool> within(const Mesh& mesh, const MeshPiece& piece) {
   std::vector<bool> inside(static_cast<std::size_t>(mesh.n_nodes()), false);
   for (const Index node : piece.nodes) inside[static_cast<std::size_t>(node)] = true;

@@ -61,6 +61,12 @@ std::string why_not_counted(const Plan& plan) {
               why.substr(2), ')');
 }
 
+/// Whether iterations have a K of their own each. The forecast has one factor.
+bool factors_again(const Plan& plan) {
+  return std::any_of(plan.bodies.begin(), plan.bodies.end(),
+                     [](const BodyModel& body) { return body.material.base.law != nullptr; });
+}
+
 /// Collects the figures phase by phase.
 class Figures {
  public:
@@ -71,8 +77,9 @@ class Figures {
         speed_(measure_speed(known.fronts, known.paths)),
         sample_(sample_of(plan, known.stiffness.nonZeros())),
         steps_(std::max(1.0, static_cast<double>(plan.path.times.size()))),
-        of_factor_(plan.backend.factor == Scene().backend.factor ? Certainty::Exact
-                                                                 : Certainty::Estimate),
+        of_factor_(factors_again(plan) ? Certainty::AtLeast
+                   : plan.backend.factor == Scene().backend.factor ? Certainty::Exact
+                                                                   : Certainty::Estimate),
         counted_(why_not_counted(plan).empty()) {}
 
   std::vector<PredictedFigure> all() {

@@ -42,6 +42,15 @@ VectorXd handed_on(const SlipNames& names, const VectorXd& values, const SlipNam
   return all;
 }
 
+/// What rows knew that are no more.
+double lost(const SlipNames& names, const VectorXd& values, const SlipNames& here) {
+  double sum = 0;
+  for (std::size_t k = 0; k < names.size() && values.size() > 0; ++k)
+    if (std::find(here.begin(), here.end(), names[k]) == here.end())
+      sum += values(static_cast<Index>(k));
+  return sum;
+}
+
 }  // namespace
 
 Step moved_step(const PathState& past, double time, Model& model, CondensedPath& path,
@@ -60,7 +69,7 @@ Step moved_step(const PathState& past, double time, Model& model, CondensedPath&
   PathState known = past;
   known.slip = handed_on(names, past.slip, slip_names(model));
   known.dissipation = handed_on(names, past.dissipation, slip_names(model));
-  known.dissipated_elsewhere += past.dissipation.sum() - known.dissipation.sum();
+  known.dissipated_elsewhere += lost(names, past.dissipation, slip_names(model));
   result.state = after(known, time, model, VectorXd(), result.solution);
   return result;
 }

@@ -2,7 +2,7 @@
 /// Load steps: one factor for a whole path, and friction that remembers.
 ///
 /// K, the factor, the compliance and the rigid modes do not change along a path, but for the compliance of bodies that
-/// move, see StepLoop. What changes is linear in the
+/// move and, of those with a law, K and its factor, see StepLoop. What changes is linear in the
 /// histories: p, g and \f$ K^{-1}p \f$ are sums of parts, each condensed once. So a step costs the triangular solves
 /// of its refinement and dense algebra on the boundary, and begins from what the pairs did last.
 ///

@@ -1,5 +1,5 @@
 /// \file
-/// Isotropic linear elasticity in the plane.
+/// Isotropic elasticity in the plane: linear, unless a material has a law of finite strain.
 ///
 /// Two constants are enough for a linear, isotropic body: Young's modulus \f$E\f$, and Poisson's
 /// ratio \f$\nu\f$: a bar that is stretched by \f$\varepsilon\f$ becomes thinner by

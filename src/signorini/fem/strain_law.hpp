@@ -27,7 +27,7 @@ struct StrainLaw {
   const char* summary;  ///< one line for lists
   /// Fills the answer of a cell to displacements `2m` of its nodes [length]. Those of a cell that is carried far should be
   /// less a shift of all of it, which strains nothing, so that no digits are lost. Throws ProblemError, which names the cell,
-  /// if it turns over. Null: strains are small.
+  /// if it inverts. Null: strains are small.
   void (*answer)(const Cell& cell, const CellVector& displacement, CellAnswer& answer);
 };
 
@@ -45,9 +45,10 @@ void add_strain_law(const StrainLaw& member);
 [[nodiscard]] const StrainLaw* find_strain_law(const std::string& name);
 
 /// What a cell of a material with a law answers to displacements of the mesh.
-/// \param cell           of that material
+/// \param cell           of a material that has a law
 /// \param displacements  `n_nodes x 2` [length]
-/// \return its answer to these less what its first node is shifted by, which strains nothing
+/// \return its answer to these less what its first node is shifted by, which strains nothing; a body that is carried by so
+///   many of its sizes loses as many digits of its strains
 [[nodiscard]] CellAnswer answer_of(const Cell& cell, const NodeArray& displacements);
 
 }  // namespace signorini

@@ -9,9 +9,7 @@
 /// present add their numbers, and what an effect leaves empty no later step sees. So entered load steps: `declare` sorts the loads by the history that they follow,
 /// `add` hands the model one p and g per history; the factor and the compliance stay. And so entered *moving geometry*:
 /// `declare` says that pairs are searched in every iteration of a step and hands the plan a StepLoop, which asks those effects
-/// anew that are `of_pairs`. And so the next one will:
-///
-/// * *finite strain*: `declare` says that K is assembled and factored once per iteration, and its loop writes K and p too.
+/// anew that are `of_pairs`. With *finite strain* that loop writes K and p too, and factors K in each iteration.
 #pragma once
 #include <string>
 #include <vector>
