@@ -13,7 +13,7 @@
 #include "signorini/core/table.hpp"
 #include "signorini/fem/block.hpp"
 #include "signorini/fem/reshape.hpp"
-#include "signorini/fem/strain_law.hpp"
+#include "signorini/fem/strain_laws.hpp"
 #include "signorini/pairing/interface.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/report/results.hpp"

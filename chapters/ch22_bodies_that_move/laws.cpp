@@ -8,7 +8,7 @@
 #include "signorini/core/errors.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/fem/block.hpp"
-#include "signorini/fem/strain_law.hpp"
+#include "signorini/fem/strain_laws.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/report/results.hpp"
 

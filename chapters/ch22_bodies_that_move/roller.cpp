@@ -12,7 +12,7 @@
 #include "reference/published.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/fem/strain_law.hpp"
+#include "signorini/fem/strain_laws.hpp"
 #include "signorini/pairing/interface.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/report/results.hpp"

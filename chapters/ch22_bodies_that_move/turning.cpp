@@ -5,7 +5,7 @@
 #include "addons/motion/register.hpp"
 #include "scenes.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/fem/strain_law.hpp"
+#include "signorini/fem/strain_laws.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/report/results.hpp"
 

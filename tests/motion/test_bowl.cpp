@@ -6,7 +6,7 @@
 #include "signorini/fem/assembly.hpp"
 #include "signorini/fem/block.hpp"
 #include "signorini/fem/reshape.hpp"
-#include "signorini/fem/strain_law.hpp"
+#include "signorini/fem/strain_laws.hpp"
 #include "signorini/scene/readings.hpp"
 
 using namespace signorini;

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "addons/motion/curvature.hpp"
+#include "addons/motion/point_keeper.hpp"
 #include "catch_compat.hpp"
 #include "signorini/contact/node_to_obstacle.hpp"
 #include "support/waves.hpp"
@@ -157,7 +158,7 @@ TEST_CASE("an obstacle turns normals by 1/(R + gap), and a flat one by nothing",
   const Vector2d centre(0.4, -2);
   GapOptions options;
   options.n_nodes = mesh.n_nodes();
-  options.keep_points = true;
+  options.keeper = &point_keeper();
   const auto at = [&](const Obstacle& obstacle, const NodeArray& places) {
     Mesh there = mesh;
     there.nodes = places;

@@ -6,6 +6,7 @@
 #include "addons/steps/steps.hpp"
 #include "catch_compat.hpp"
 #include "signorini/fem/elements.hpp"
+#include "signorini/fem/strain_laws.hpp"
 #include "signorini/fem/stress.hpp"
 #include "signorini/problem/residual.hpp"
 #include "signorini/scene/readings.hpp"

@@ -5,7 +5,7 @@
 #include "addons/motion/turns.hpp"
 #include "addons/steps/steps.hpp"
 #include "catch_compat.hpp"
-#include "signorini/fem/strain_law.hpp"
+#include "signorini/fem/strain_laws.hpp"
 #include "signorini/report/pressure_table.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/step_loop.hpp"

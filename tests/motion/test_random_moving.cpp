@@ -3,7 +3,7 @@
 
 #include "catch_compat.hpp"
 #include "signorini/fem/elements.hpp"
-#include "signorini/fem/strain_law.hpp"
+#include "signorini/fem/strain_laws.hpp"
 #include "support/energy_forces.hpp"
 #include "support/meshes.hpp"
 #include "support/random_outcomes.hpp"

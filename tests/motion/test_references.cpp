@@ -7,6 +7,7 @@
 #include "catch_compat.hpp"
 #include "signorini/fem/block.hpp"
 #include "signorini/fem/elements.hpp"
+#include "signorini/fem/strain_laws.hpp"
 #include "signorini/report/pressure_table.hpp"
 #include "signorini/scene/readings.hpp"
 

@@ -2,6 +2,7 @@
 #pragma once
 #include <cmath>
 
+#include "addons/motion/point_keeper.hpp"
 #include "signorini/contact/kept_points.hpp"
 #include "signorini/fem/side_curve.hpp"
 #include "support/facing_blocks.hpp"
@@ -44,7 +45,7 @@ struct Waves {
     one.nodes = places.topRows(source.n_nodes());
     other.nodes = places.bottomRows(target.n_nodes());
     signorini::GapOptions options;
-    options.keep_points = keep_points;
+    if (keep_points) options.keeper = &signorini::point_keeper();
     return over(one, other, options);
   }
 };

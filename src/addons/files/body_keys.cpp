@@ -9,7 +9,7 @@
 #include "signorini/core/index.hpp"
 #include "signorini/fem/elements.hpp"
 #include "signorini/fem/regions.hpp"
-#include "signorini/fem/strain_law.hpp"
+#include "signorini/fem/strain_laws.hpp"
 
 namespace signorini {
 

@@ -6,6 +6,7 @@
 #include "addons/motion/register.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/fem/elements.hpp"
+#include "signorini/fem/strain_laws.hpp"
 #include "signorini/scene/effects.hpp"
 
 namespace signorini {

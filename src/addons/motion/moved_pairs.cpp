@@ -12,6 +12,7 @@
 #include <memory>
 #include <string>
 
+#include "addons/motion/point_keeper.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/effects.hpp"
 
@@ -118,7 +119,8 @@ void place_bodies(const Scene& scene, const Displaced& displacement, const Displ
   const NodeArray moved = (displacement.high - before.high) + (displacement.low - before.low);
   Plan draft;
   draft.standing = std::make_shared<const Standing>(
-      Standing{displacement.high, earlier.rounded, moved - now.rest, keep_points});
+      Standing{displacement.high, earlier.rounded, moved - now.rest,
+               keep_points ? &point_keeper() : nullptr});
   draft.fits = {[&standing = *draft.standing](const ContactSpec& /*contact*/, Pairs& pairs) {
     return slide_along_obstacles(standing, pairs);
   }};

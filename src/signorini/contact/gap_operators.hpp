@@ -32,8 +32,8 @@ struct GapOptions {
   /// `n_nodes x 2` where the nodes of all bodies stood before they came to where the meshes have them [length]; with S, a
   /// member then says how far its points have `slid` since, along the sides that they face. Null: nothing has moved.
   const NodeArray* before = nullptr;
-  bool keep_points =
-      false;  ///< whether pairs keep their points, and where the normal jumps between them
+  /// Who keeps the points of pairs, and where normals jump between them; null: nobody.
+  const PointKeeper* keeper = nullptr;
 };
 
 /// One member of the family.

@@ -13,6 +13,13 @@
 
 namespace signorini {
 
+struct Interface;
+struct Obstacle;
+struct PairPoint;
+struct Pairs;
+struct SampledEdge;
+struct Surface;
+
 /// A place on a side: the nodes of the side and what each has of a force there.
 struct SidePlace {
   std::array<Eigen::Index, 3> node = {
@@ -44,6 +51,19 @@ struct KeptJump {
   KeptPoint before;  ///< faces the side that the points before it face
   KeptPoint behind;  ///< faces the next one
   Eigen::Vector2d along = Eigen::Vector2d::Zero();  ///< unit tangent of the source there [-]
+};
+
+/// Who keeps points, if anybody wants them: operators hand over what they have found.
+struct PointKeeper {
+  /// A point of a pair between two meshes, and the share by which it counts.
+  KeptPoint (*point)(const Interface& interface, const PairPoint& point, double share);
+  /// Where normals jump along the edges of a source, which are in walking order and cut into segments. In the place of a pair
+  /// is the node, and in that of the share the dual function.
+  std::vector<KeptJump> (*jumps)(const std::vector<SampledEdge>& edges,
+                                 const Interface& interface);
+  /// Points of pairs that are nodes, with an obstacle.
+  std::vector<KeptPoint> (*at_obstacle)(const Pairs& pairs, const Surface& source,
+                                        const Obstacle& obstacle);
 };
 
 }  // namespace signorini

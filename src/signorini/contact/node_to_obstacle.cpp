@@ -27,7 +27,6 @@
 namespace signorini {
 
 using Eigen::Index;
-using Eigen::Vector2d;
 namespace {
 
 /// What a node sees of the obstacle, whose function anyone may have written.
@@ -55,33 +54,6 @@ NodalRows rows_along(const NodeArray& directions, const std::vector<Index>& node
       rows.insert(pair, 2 * (source.first_node + nodes[at(pair)]) + axis) = directions(pair, axis);
   rows.makeCompressed();
   return rows;
-}
-
-/// A normal at two places that lie a little before and behind a point, along the obstacle. Of a normal that turns once in a
-/// length R the difference is right to \f$ h^2/6R^2 \f$, and rounding takes \f$ 10^{-16}\,x/h \f$ of it.
-double turning(const Mesh& mesh, const Obstacle& obstacle, const Vector2d& x, const Vector2d& n) {
-  if (obstacle.linear) return 0;
-  const Vector2d t(n.y(), -n.x());
-  const double h =
-      1e-5 * (mesh.nodes.colwise().maxCoeff() - mesh.nodes.colwise().minCoeff()).norm();
-  return t.dot(obstacle.look(x + h * t).normal - obstacle.look(x - h * t).normal) / (2 * h);
-}
-
-/// What pairs of nodes with an obstacle keep. Each is its own point, with all of the force on one node of a
-/// side. The target has no nodes, as nothing can move it.
-std::vector<KeptPoint> points_of(const Pairs& pairs, const Surface& source,
-                                 const Obstacle& obstacle) {
-  std::vector<KeptPoint> points(pairs.node.size());
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const Index pair = points[k].pair = static_cast<Index>(k);
-    points[k].share = points[k].source.value(0) = 1;
-    points[k].source.node[0] = source.first_node + pairs.node[k];
-    points[k].normal = pairs.normal.row(pair).transpose();
-    points[k].gap = pairs.initial_gap(pair);
-    points[k].turning =
-        turning(source.mesh, obstacle, pairs.position.row(pair).transpose(), points[k].normal);
-  }
-  return points;
 }
 
 }  // namespace
@@ -117,7 +89,8 @@ Pairs node_to_obstacle(const Surface& source, const Obstacle& obstacle, const Ga
   pairs.moment = pairs.target_moment = NodeArray::Zero(n_pairs, 2);
   pairs.weight = weights_of_nodes(
       boundary_areas(source.mesh, source.boundary, options.depth)(kept, Eigen::all), pairs.normal);
-  if (options.keep_points) pairs.points = points_of(pairs, source, obstacle);
+  if (options.keeper != nullptr)
+    pairs.points = options.keeper->at_obstacle(pairs, source, obstacle);
   return pairs;
 }
 

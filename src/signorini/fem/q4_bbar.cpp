@@ -48,10 +48,7 @@ void averaged_strain(const CellBody& cell, StrainPoints& points) {
 }  // namespace
 
 Element q4_bbar() {
-  Element element{"q4_bbar", "4 nodes, mean volumetric strain", 4, 1, bilinear_shape,
-                  averaged_strain};
-  element.mean_volume = true;
-  return element;
+  return {"q4_bbar", "4 nodes, mean volumetric strain", 4, 1, bilinear_shape, averaged_strain, nullptr, true};
 }
 
 }  // namespace signorini

@@ -3,33 +3,10 @@
 // Small strain is linear: the forces of a cell are \f$ Ku \f$, whatever u is. If strains are not
 // small, forces, stress and stiffness all depend on u, and on a law of the material. What such a
 // law says of a cell is one struct, so that assembly, stresses and support forces ask one question.
-//
-// Small strain is a member without that function: its cells are those of assembly.cpp. Add-ons add
-// the others, and a program that links none pays nothing for them.
 
 #include "signorini/fem/strain_law.hpp"
 
-#include "signorini/core/family.hpp"
-
 namespace signorini {
-namespace {
-
-std::vector<StrainLaw>& family() {
-  static std::vector<StrainLaw> members = {
-      {"small", "linear elasticity, for strains and turns that are small", nullptr}};
-  return members;
-}
-
-}  // namespace
-
-const std::vector<StrainLaw>& strain_laws() { return family(); }
-
-void add_strain_law(const StrainLaw& member) { add_member(member, family()); }
-
-const StrainLaw* find_strain_law(const std::string& name) {
-  const StrainLaw& member = find_member(family(), name, "strain law");
-  return member.answer == nullptr ? nullptr : &member;
-}
 
 /// In axial symmetry a shift along the radius strains, and stays.
 CellAnswer answer_of(const Cell& cell, const NodeArray& displacements) {

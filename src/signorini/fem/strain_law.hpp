@@ -5,9 +5,6 @@
 /// asked cell by cell, for all that a cell has to say: forces, tangent, stress, energy. So whoever adds up cells, for
 /// a support force or for a picture, need not know which law a body has.
 #pragma once
-#include <string>
-#include <vector>
-
 #include "signorini/fem/cells.hpp"
 
 namespace signorini {
@@ -30,19 +27,6 @@ struct StrainLaw {
   /// if it inverts. Null: strains are small.
   void (*answer)(const Cell& cell, const CellVector& displacement, CellAnswer& answer);
 };
-
-/// \return small strain, and the members that were added, in that order
-[[nodiscard]] const std::vector<StrainLaw>& strain_laws();
-
-/// Adds a member to the family, unless it has one of that name. A program does so at its beginning: materials refer to
-/// members. \param member  of an add-on or a program
-void add_strain_law(const StrainLaw& member);
-
-/// Looks up a law.
-/// \param name  of a member
-/// \return the member; null for small strain
-/// \throws ProblemError listing the known names if there is none
-[[nodiscard]] const StrainLaw* find_strain_law(const std::string& name);
 
 /// What a cell of a material with a law answers to displacements of the mesh.
 /// \param cell           of a material that has a law

@@ -21,7 +21,6 @@
 #include <utility>
 
 #include "signorini/core/errors.hpp"
-#include "signorini/pairing/jumps.hpp"
 #include "signorini/pairing/mortar_segments.hpp"
 #include "signorini/pairing/pair_rows.hpp"
 
@@ -71,9 +70,9 @@ Collected sample(const Interface& interface, const GapOptions& options, int n_po
     for (const SourceEdge& edge : edges_of(interface.sides[k])) {
       const EdgeSamples samples = sample_edge(edge, interface, cuts[k], n_points);
       collect(edge, samples, all.points, all.weights);
-      if (options.keep_points && cut) edges.push_back({edge, samples, &cuts[k]});
+      if (options.keeper != nullptr && cut) edges.push_back({edge, samples, &cuts[k]});
     }
-  all.jumps = jumps_along(edges, interface);
+  if (!edges.empty()) all.jumps = options.keeper->jumps(edges, interface);
   return all;
 }
 

@@ -90,30 +90,7 @@ double slid(const Interface& interface, const PairPoint& point, const NodeArray&
          apart(point, target, in(before, one.first_node), in(before, other.first_node));
 }
 
-/// A side is forgotten with its interface. What is left of a place are numbers of nodes, counted through all bodies as
-/// columns are, and their shape functions.
-SidePlace place_on(const SideCurve& side, double xi, Index first_node) {
-  SidePlace place;
-  place.value = side.shape(xi).value;
-  for (std::size_t k = 0; k < side.nodes().size(); ++k)
-    place.node[k] = first_node + side.nodes()[k];
-  return place;
-}
-
 }  // namespace
-
-/// Whoever wants to know how rows change needs the points once they are written. Two sides, each with
-/// its nodes, and between them normal and gap: nothing else stands in a row.
-KeptPoint kept(const Interface& interface, const PairPoint& point, double share) {
-  return {point.pair,
-          share,
-          place_on(*point.side, point.xi, interface.source.first_node),
-          place_on(interface.search.side(point.place.side), point.place.xi,
-                   interface.target.first_node),
-          point.place.xi,
-          point.place.normal,
-          point.place.gap};
-}
 
 /// A mean of several unit normals is shorter than 1 if the target turns among the points of a pair.
 /// It is not normalised: force times this mean is exactly what the points push with. The moments
@@ -138,7 +115,8 @@ void write_rows(const Interface& interface, const std::vector<PairPoint>& points
     act_and_react(interface, point, n, opening);
     if (options.sliding) act_and_react(interface, point, {n.y(), -n.x()}, sliding);
     if (moved) pairs.slid(point.pair) += share * slid(interface, point, *options.before);
-    if (options.keep_points) pairs.points.push_back(kept(interface, point, share));
+    if (options.keeper != nullptr)
+      pairs.points.push_back(options.keeper->point(interface, point, share));
   }
   write_matrix(opening, total, 2 * options.n_nodes, pairs.opening);
   write_matrix(sliding, total, 2 * options.n_nodes, pairs.sliding);

@@ -21,13 +21,6 @@ struct PairPoint {
   double amount = 1;      ///< by which the point counts in the pair
 };
 
-/// A point without references to what lives no longer than an interface.
-/// \param interface  of source and target
-/// \param point      on it
-/// \param share      by which it counts in its pair [-]
-/// \return the same point
-[[nodiscard]] KeptPoint kept(const Interface& interface, const PairPoint& point, double share);
-
 /// Writes gaps, normals, moments and rows: of every pair the mean over its points.
 ///
 /// What a row of N says can be read both ways. Times the displacements it is how much the gap opens:

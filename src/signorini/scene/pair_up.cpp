@@ -25,7 +25,7 @@ Pairs pair_up(const ContactSpec& contact, const std::vector<BodyModel>& bodies, 
   GapOptions options{count_nodes(bodies), depth, sliding, contact.points, contact.quadrature};
   if (standing != nullptr) {
     options.before = &standing->before;
-    options.keep_points = standing->keep_points;
+    options.keeper = standing->keeper;
   }
   if (const Obstacle* obstacle = std::get_if<Obstacle>(&contact.target))
     return node_to_obstacle(source, *obstacle, options);

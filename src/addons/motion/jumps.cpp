@@ -14,11 +14,12 @@
 // \f$ x = 1 \f$, where both lie 0.894 away, and the normals are \f$ (0.447, 0.894) \f$ and
 // \f$ (-0.447, 0.894) \f$. If the groove goes by 0.1 to the right, so does the place.
 
-#include "signorini/pairing/jumps.hpp"
+#include "addons/motion/jumps.hpp"
 
 #include <algorithm>
 #include <cmath>
 
+#include "addons/motion/point_keeper.hpp"
 #include "signorini/pairing/pair_rows.hpp"
 
 namespace signorini {
@@ -64,7 +65,7 @@ void add_jump(const SampledEdge& of, double xi, double part, Index one, Index ot
     if (basis.mean(i) == 0) continue;
     const auto facing = [&](Index side) {
       const Index node = edge.nodes[static_cast<std::size_t>(i)];
-      return kept(interface, {node, edge.side, xi, place_on(interface.search, side, x)}, psi(i));
+      return kept_point(interface, {node, edge.side, xi, place_on(interface.search, side, x)}, psi(i));
     };
     jumps.push_back({facing(one), facing(other), edge.side->tangent(xi).normalized()});
   }

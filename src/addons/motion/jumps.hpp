@@ -8,13 +8,6 @@
 
 namespace signorini {
 
-/// An edge of the source and what it faces.
-struct SampledEdge {
-  SourceEdge edge;
-  EdgeSamples samples;
-  const std::vector<double>* cuts;  ///< xi where its side was cut into segments
-};
-
 /// The places from which on a source faces the next side of its target, at the same distance but with another
 /// normal. None where it faces the vertex between the two sides for a while: the normal turns with the point there. At a
 /// node between two edges the place may move either way: each of them has half.
