@@ -21,7 +21,7 @@ void declare_moving(const Scene& scene, Plan& draft) {
 
 void register_motion() {
   add_effect(
-      {"moving geometry", [](const Scene& scene, const Plan& /*draft*/) { return scene.moves || any_law(scene); },
+      {"moving geometry", [](const Scene& scene, const Plan& /*draft*/) { return scene.moves; },
        declare_moving, nullptr},
       "load steps");
   register_finite_strain();
