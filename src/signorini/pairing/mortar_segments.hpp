@@ -37,8 +37,8 @@ struct EdgeSamples {
 
 /// An edge of the source and what it faces.
 struct SampledEdge {
-  SourceEdge edge;
-  EdgeSamples samples;
+  SourceEdge edge;      ///< of the source
+  EdgeSamples samples;  ///< points of it, and what they face
   const std::vector<double>* cuts;  ///< xi where its side was cut into segments
 };
 
