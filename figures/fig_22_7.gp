@@ -1,11 +1,11 @@
-# Figure 22.7 - the die at full depth, half way and at the end of its way through a slab of rubber.
+# Figure 22.7 - the die at full depth, half way and at the end of its way through a soft slab.
 # In: fig_22_7_die_*.csv, fig_22_7_slab_*.csv, fig_22_7_arrows_*.csv   Out: fig_22_7.svg
 width = 640; height = 740
 load 'style.gp'
 load 'bodies.gp'
 set size ratio -1
 unset key; unset grid; unset border; unset tics
-set xrange [-0.1:8.1]
+set xrange [-0.1:8.2]
 set yrange [-0.05:3]
 set lmargin 0; set rmargin 0; set tmargin 0; set bmargin 0
 MPA = 2  # length of an arrow for a pressure of 1, the modulus of the slab

@@ -1,4 +1,4 @@
-# Figure 22.8 - the forces on the die along its way through the slab of rubber.   In: fig_22_8.csv   Out: fig_22_8.svg
+# Figure 22.8 - the forces on the die along its way through the slab.   In: fig_22_8.csv   Out: fig_22_8.svg
 load 'style.gp'
 file = data.'/fig_22_8.csv'
 set xlabel 'way of the die along the slab'

@@ -1,4 +1,4 @@
-// Chapter 22 - Ironing at large strain: a die goes two fifths of its radius into a slab of rubber, and along it.
+// Chapter 22 - Ironing at large strain: a die goes two fifths of its radius into a soft slab, and along it.
 // Takes longer than 5 s: ./run.sh shows its committed results.
 // Run:  make ch22     Reads: nothing     Writes: ch22_iron.results, iron.md, fig_22_7_die_0.csv, fig_22_7_die_1.csv, fig_22_7_die_2.csv,
 //      fig_22_7_slab_0.csv, fig_22_7_slab_1.csv, fig_22_7_slab_2.csv, fig_22_7_arrows_0.csv, fig_22_7_arrows_1.csv,

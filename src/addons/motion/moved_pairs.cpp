@@ -151,22 +151,4 @@ void count_from_the_scene(const Displaced& displacement, Model& model) {
   model.pairs.initial_gap = model.programme.initial_gap.head(model.pairs.weight.size());
 }
 
-std::vector<PairName> names_of_pairs(const Model& model) {
-  std::vector<PairName> names;
-  for (std::size_t pair = 0; pair < model.contact_of.size(); ++pair)
-    names.emplace_back(model.contact_of[pair], model.pairs.node[pair]);
-  return names;
-}
-
-std::vector<Index> same_pairs(const std::vector<PairName>& names, const Model& model) {
-  std::map<PairName, Index> known;
-  for (std::size_t k = 0; k < names.size(); ++k) known.emplace(names[k], static_cast<Index>(k));
-  std::vector<Index> same;
-  for (const PairName& name : names_of_pairs(model)) {
-    const auto found = known.find(name);
-    same.push_back(found == known.end() ? -1 : found->second);
-  }
-  return same;
-}
-
 }  // namespace signorini

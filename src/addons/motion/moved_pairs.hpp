@@ -2,11 +2,6 @@
 /// \file
 /// The pairs of a model, found anew where its bodies have moved to.
 #pragma once
-#include <cstddef>
-#include <map>
-#include <utility>
-#include <vector>
-
 #include "signorini/scene/scene.hpp"
 #include "signorini/scene/step_loop.hpp"
 
@@ -28,19 +23,5 @@ void place_bodies(const Scene& scene, const Displaced& displacement, const Displ
 /// \param displacement  of all nodes, where the bodies stand
 /// \param[in,out] model  from place_bodies()
 void count_from_the_scene(const Displaced& displacement, Model& model);
-
-/// Which pair is which, wherever it stands among the others: the number of its contact and the node of its source.
-using PairName = std::pair<std::size_t, Eigen::Index>;
-
-/// \param model  with pairs that have nodes
-/// \return `n_c` names of its pairs
-[[nodiscard]] std::vector<PairName> names_of_pairs(const Model& model);
-
-/// Which of other pairs is which of a model.
-/// \param names  of the others
-/// \param model  whose pairs are asked for
-/// \return `n_c` numbers of the pair of the same name; -1 where there was none
-[[nodiscard]] std::vector<Eigen::Index> same_pairs(const std::vector<PairName>& names,
-                                                   const Model& model);
 
 }  // namespace signorini

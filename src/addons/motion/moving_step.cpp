@@ -16,21 +16,18 @@
 #include "addons/motion/moving_step.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 #include <utility>
 
-#include "addons/motion/body_answers.hpp"
 #include "addons/motion/held_by_pairs.hpp"
 #include "addons/motion/linear_problem.hpp"
+#include "addons/motion/linearised_model.hpp"
 #include "addons/motion/moved_pairs.hpp"
 #include "addons/motion/slow_ways.hpp"
 #include "addons/motion/turns.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/problem/active_set_system.hpp"
-#include "signorini/problem/exact_sum.hpp"
-#include "signorini/problem/residual.hpp"
-#include "signorini/scene/balance.hpp"
 #include "signorini/scene/checks.hpp"
 
 namespace signorini {
@@ -43,23 +40,19 @@ using Eigen::VectorXd;
 /// needs more than this many is none that ends.
 constexpr int most_iterations = 60;
 
-/// So many iterations may be made with the factor of the scene, if all strains are small. Each leaves of the error four times the
-/// strain, and at a strain of 8 % this many leave 1e-12. What is not there by then goes on with tangents, whose contact forces
+/// So many iterations may be made with the factor of the scene, if all strains are small. Each leaves of the error about five
+/// times the strain, and at a strain of 6 % this many leave 1e-13. What is not there by then goes on with tangents, whose contact forces
 /// turn with the bodies.
 constexpr int most_with_one_factor = 25;
 
 /// The way that an iteration may go while nothing but weak springs holds a body, in sizes of the smallest body.
 constexpr double bounded_way = 0.1;
 
-/// How far the unknowns have moved, less the mean of their body: a body that is carried far is no better measured by that.
-VectorXd moved_within(const Model& model, const Displaced& at) {
-  NodeArray moved = at.high;
-  for (const BodyModel& body : model.bodies) {
-    auto own = moved.middleRows(body.first_node, body.mesh.n_nodes());
-    own.rowwise() -= own.colwise().mean().eval();
-  }
-  return restricted(model.unknowns, moved);
-}
+/// The problem that an iteration has solved.
+struct Linearised {
+  std::vector<PairName> names;
+  FrictionLaw law;
+};
 
 double smallest_size(const Model& model) {
   double size = std::numeric_limits<double>::infinity();
@@ -70,86 +63,41 @@ double smallest_size(const Model& model) {
   return size;
 }
 
-/// The problem that an iteration has solved.
-struct Linearised {
-  std::vector<PairName> names;
-  FrictionLaw law;
-};
-
 /// A step while it is solved.
 struct Moving {
-  const PlacePairs& place;
   const Displaced& before;
   Model& model;
   Condensed& condensed;
   SolverOptions options;
   Ledger ledger;
-  BodyAnswers bodies = BodyAnswers(model);
-  Eigen::SparseMatrix<double> stiffness = model.programme.stiffness;  ///< of the scene
-  Factor factor = condensed.factor;                                   ///< of that
-  VectorXd load = model.programme.load;                               ///< of the scene
-  VectorXd outer = outer_forces(model);
-  Displaced at = before;              ///< where the model is linear about
-  std::vector<Index> held = {};       ///< rows that held in the last iteration, see held_rows()
-  VectorXd turning = {};              ///< contact forces of the last iteration
-  bool bounded = false;               ///< whether only springs held a body in it
-  int iteration = 0;                  ///< that is made
-  SlowWays ways = {};                 ///< of the iterations so far
-  std::string reason = {};            ///< why a place cannot be gone to
-
-  bool tangent_made = false;          ///< whether `condensed` has the factor of one
-  std::size_t rung = 0;               ///< of the ladder of tangents, that held last
+  LinearisedModel place;
+  Factor factor = condensed.factor;  ///< of K before strain
+  std::vector<Index> held = {};      ///< rows that held in the last iteration, see held_rows()
+  VectorXd turning = {};             ///< contact forces of the last iteration
+  SlowWays ways = {};                ///< of the iterations so far
+  std::string reason = {};           ///< why a place cannot be gone to
+  int iteration = 0;                 ///< that is made
+  std::size_t rung = 0;              ///< of the ladder of tangents, that held last
+  bool bounded = false;              ///< whether only springs held a body in the last iteration
+  bool tangent_made = false;         ///< whether `condensed` has the factor of one
 
   /// Whether an iteration has a tangent of its own: under finite strain, and where one factor leads nowhere.
   [[nodiscard]] bool has_tangent(int number) const {
-    return bodies.finite() || number > most_with_one_factor;
+    return place.finite() || number > most_with_one_factor;
   }
-  [[nodiscard]] bool at_rest() const { return at.high.isZero(0) && at.low.isZero(0); }
-  void linearise(const Displaced& there);
   Solution linear_problem();
-  [[nodiscard]] Displaced ahead(const Solution& solution, double share) const;
   [[nodiscard]] double first_share(const VectorXd& way,
                                    const std::vector<ContactStatus>& statuses) const;
   bool goes_to(const Solution& solution);
   [[nodiscard]] bool holds_here(Solution& solution, const Linearised& solved) const;
-  void conclude(Solution& solution) const;
-  void give_back() const;
   void hand_on(const Linearised& solved, const ContactState& contact);
   bool ends(Solution& solution);
   Solution solved();
 };
 
-/// What supports still have to give.
-NodeArray left_to_give(const Unknowns& unknowns, const Displaced& at) {
-  return (unknowns.number < 0).select((unknowns.held - at.high) - at.low, 0);
-}
-
-/// Writes the linear problem of a place. At rest it is that of the scene, bit by bit.
-void Moving::linearise(const Displaced& there) {
-  QuadraticProgramme& programme = model.programme;
-  const NodeArray left = left_to_give(model.unknowns, there);
-  const bool rest = there.high.isZero(0) && there.low.isZero(0);
-  Eigen::SparseMatrix<double> tangent;
-  BodyAnswer answer;
-  if (!rest) {
-    const Ledger::Phase phase(ledger, "forces");
-    answer = bodies.at(model, there, left, bodies.finite() ? &tangent : nullptr);
-  }
-  {
-    const Ledger::Phase phase(ledger, "pairs");
-    ledger.count("searches", 1);
-    place(there, before, model, has_tangent(iteration + 1));
-  }
-  at = there;
-  if (rest) return;
-  if (bodies.finite()) programme.stiffness.swap(tangent);
-  programme.load = outer - answer.force - answer.ahead;
-  programme.reached = {moved_within(model, at), std::move(answer.terms)};
-}
-
 /// With the factor of the scene as long as that is the one of K, or may do in its place.
 Solution Moving::linear_problem() {
-  const bool rest = at_rest();
+  const bool rest = place.at_rest();
   Solution solution;
   if (rest || !has_tangent(iteration)) {
     if (std::exchange(tangent_made, false)) condensed.factor = factor;
@@ -167,34 +115,11 @@ Solution Moving::linear_problem() {
                             bounded);
 }
 
-/// A share of the way that was found. What supports give is gone to its end exactly.
-Displaced Moving::ahead(const Solution& solution, double share) const {
-  Displaced there = at;
-  const PrimalDual& way = solution.refined;
-  const Unknowns& unknowns = model.unknowns;
-  for (Index node = 0; node < there.high.rows(); ++node)
-    for (const Index axis : {0, 1}) {
-      const Index k = unknowns.number(node, axis);
-      double& high = there.high(node, axis);
-      double& low = there.low(node, axis);
-      if (k >= 0) {
-        add_to(high, low, share * way.displacement(k));
-        if (way.displacement_low.size() > 0) add_to(high, low, share * way.displacement_low(k));
-      } else if (share == 1) {
-        high = unknowns.held(node, axis);
-        low = 0;
-      } else {
-        add_to(high, low, share * ((unknowns.held(node, axis) - high) - low));
-      }
-    }
-  return there;
-}
-
 /// The share of a way that is tried first. While supports still move all of it is gone, or none of them would arrive.
 double Moving::first_share(const VectorXd& way, const std::vector<ContactStatus>& statuses) const {
   const double farthest = bounded_way * smallest_size(model);
   if (bounded && largest(way) > farthest) return farthest / largest(way);
-  return left_to_give(model.unknowns, at).isZero(0) ? ways.share(way, statuses) : 1;
+  return place.arrived() ? ways.share(way, statuses) : 1;
 }
 
 /// Goes where a solution has the bodies, or on the way there as far as pairs can be found and no cell inverts.
@@ -203,7 +128,7 @@ bool Moving::goes_to(const Solution& solution) {
   const std::vector<ContactStatus> statuses = all_statuses(solution.contact);
   double share = first_share(way, statuses);
   for (int halved = 0; halved <= model.path.halvings;) try {
-      linearise(ahead(solution, share));
+      place.move(place.ahead(solution.refined, share), has_tangent(iteration + 1), ledger);
       ways.gone(way, statuses, share);
       reason.clear();
       return true;
@@ -229,40 +154,12 @@ void read_movements(const VectorXd& movement, ContactState& contact) {
 /// Whether what was solved holds of the equations that are found where it leads to.
 bool Moving::holds_here(Solution& solution, const Linearised& solved) const {
   if (names_of_pairs(model) != solved.names || model.law.pair != solved.law.pair) return false;
-  if (!left_to_give(model.unknowns, at).isZero(0)) return false;
-  const VectorXd& force = solution.refined.force;
-  Certificate here =
-      certify(model.programme, {VectorXd::Zero(model.unknowns.count), {}, force}, model.law);
-  here.balance = imbalance(model, solution.contact, force);
+  const Certificate here = place.certificate(solution);
   if (!here.holds()) return false;
   solution.certificate = here;
   read_movements(model.programme.initial_gap, solution.contact);
   solution.pressure = solution.contact.force.cwiseQuotient(model.pairs.weight);
   return true;
-}
-
-/// From the way of the last iteration to the displacements of the scene, and to a model whose equations these fulfil.
-void Moving::conclude(Solution& solution) const {
-  QuadraticProgramme& programme = model.programme;
-  solution.refined.displacement = restricted(model.unknowns, at.high);
-  solution.refined.displacement_low = restricted(model.unknowns, at.low);
-  solution.refined.rigid = {};
-  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    const BodyModel& body = model.bodies[b];
-    solution.displacements[b] = at.high.middleRows(body.first_node, body.mesh.n_nodes());
-  }
-  count_from_the_scene(at, model);
-  if (bodies.finite())
-    programme.load += stiffness * solution.refined.displacement;
-  else
-    programme.load = load;
-}
-
-/// Leaves to later steps the K of the scene and its factor: the first step may be tried again, from rest.
-void Moving::give_back() const {
-  condensed.factor = factor;
-  model.programme.stiffness = stiffness;
-  model.programme.reached = {};
 }
 
 std::string why_not_ended(const std::string& reason) {
@@ -274,7 +171,7 @@ std::string why_not_ended(const std::string& reason) {
 
 /// What is known of the pairs that were, for those that are now.
 void Moving::hand_on(const Linearised& solved, const ContactState& contact) {
-  const std::vector<Index> same = same_pairs(solved.names, model);
+  const std::vector<Index> same = numbers_among(solved.names, names_of_pairs(model));
   const std::vector<ContactStatus> statuses = all_statuses(contact);
   options.start.assign(same.size(), ContactStatus::Open);
   turning.setZero(static_cast<Index>(same.size()));
@@ -288,7 +185,7 @@ void Moving::hand_on(const Linearised& solved, const ContactState& contact) {
 
 /// Iterations until one holds. \return whether one did
 bool Moving::ends(Solution& solution) {
-  linearise(before);
+  place.move(before, has_tangent(1), ledger);
   while (++iteration <= most_iterations) {
     const Linearised problem{names_of_pairs(model), model.law};
     solution = linear_problem();
@@ -307,27 +204,15 @@ bool Moving::ends(Solution& solution) {
 Solution Moving::solved() {
   Solution solution;
   if (ends(solution)) {
-    conclude(solution);
+    place.conclude(solution);
     judge_turns(model, solution);
     if (solution.contact.report.status == SolveStatus::Solved)
       judge_solution(model, condensed, solution);
   }
-  give_back();
+  condensed.factor = factor;  // the first step may be tried again, from rest
+  place.restore();
   solution.ledger = std::move(ledger);
   return solution;
-}
-
-/// The certificate of a state whose model stands where the state has it, its gaps counted from the scene.
-Certificate certificate_of(const PrimalDual& claim, Model model) {
-  const Displaced at = displaced(model.unknowns, claim);
-  const NodeArray still = NodeArray::Zero(at.high.rows(), 2);
-  const BodyAnswer answer = BodyAnswers(model).at(model, at, still, nullptr);
-  QuadraticProgramme& programme = model.programme;
-  programme.initial_gap -= programme.A * (claim.displacement + claim.displacement_low);
-  programme.load = outer_forces(model) - answer.force;
-  programme.reached = {moved_within(model, at), answer.terms};
-  return certify(programme, {VectorXd::Zero(claim.displacement.size()), {}, claim.force},
-                 model.law);
 }
 
 }  // namespace
@@ -340,9 +225,12 @@ StepLoop moving_step(PlacePairs place) {
   };
   loop.solve = [place = std::move(place)](const Displaced& before, const SolverOptions& options,
                                           Model& model, Condensed& condensed, Ledger ledger) {
-    return Moving{place, before, model, condensed, options, std::move(ledger)}.solved();
+    return Moving{before,  model,
+                  condensed, options,
+                  std::move(ledger), LinearisedModel(place, before, model)}
+        .solved();
   };
-  loop.certify = certificate_of;
+  loop.certify = certificate_where_it_stands;
   return loop;
 }
 

@@ -17,7 +17,7 @@ using PlacePairs = std::function<void(const Displaced& displacement, const Displ
 /// the step is one of a place that the bodies have left.
 ///
 /// Under small strain the loop has one factor, and is Newton's method without the change of normals and of places: each
-/// iteration leaves of the error about four times the strain. Under finite strain, and after 25 such iterations, each has the
+/// iteration leaves of the error about five times the strain. Under finite strain, and after 25 such iterations, each has the
 /// tangent of its place, with contact forces that turn. Ways that hardly come closer are summed, see SlowWays. If no pairs can be
 /// found where an iteration leads to, or a cell inverts, it goes half of the way, and again, as often as the path of the scene
 /// halves a step.

@@ -4,10 +4,10 @@
 // goes by contact and node from the old pairs to the new ones. What a node dissipated that has no pair any more is kept in
 // one sum.
 
-#include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "addons/steps/step_parts.hpp"
-#include "signorini/problem/active_set_system.hpp"
 
 namespace signorini {
 namespace {
@@ -21,34 +21,22 @@ Displaced displacement_of(const PathState& state, const Model& model) {
   return displaced(model.unknowns, state.solution);
 }
 
-/// Rows of slips by contact and node: where pairs change, what they have slid so far goes on with these.
-using SlipNames = std::vector<std::pair<std::size_t, Index>>;
-
-SlipNames slip_names(const Model& model) {
-  SlipNames names;
-  for (const Index pair : model.law.pair) {
-    const auto k = static_cast<std::size_t>(pair);
-    names.emplace_back(model.contact_of[k], model.pairs.node[k]);
+/// Takes what rows of slips know to those that are now: nothing is known of a new one.
+void hand_on(const std::vector<PairName>& names, const Model& model, PathState& state) {
+  const std::vector<Index> numbers = numbers_among(names, names_of_slips(model));
+  const VectorXd slip = std::exchange(state.slip, VectorXd::Zero(static_cast<Index>(numbers.size())));
+  const VectorXd dissipation = std::exchange(state.dissipation, state.slip);
+  if (slip.size() == 0) return;
+  std::vector<bool> stays(names.size(), false);
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    const Index before = numbers[k];
+    if (before < 0) continue;
+    stays[static_cast<std::size_t>(before)] = true;
+    state.slip(static_cast<Index>(k)) = slip(before);
+    state.dissipation(static_cast<Index>(k)) = dissipation(before);
   }
-  return names;
-}
-
-/// What rows of these names know, by the names of the rows that are now: zero for a row that is new.
-VectorXd handed_on(const SlipNames& names, const VectorXd& values, const SlipNames& here) {
-  VectorXd all = VectorXd::Zero(static_cast<Index>(here.size()));
-  for (std::size_t k = 0; k < here.size() && values.size() > 0; ++k)
-    if (const auto found = std::find(names.begin(), names.end(), here[k]); found != names.end())
-      all(static_cast<Index>(k)) = values(found - names.begin());
-  return all;
-}
-
-/// What rows knew that are no more.
-double lost(const SlipNames& names, const VectorXd& values, const SlipNames& here) {
-  double sum = 0;
-  for (std::size_t k = 0; k < names.size() && values.size() > 0; ++k)
-    if (std::find(here.begin(), here.end(), names[k]) == here.end())
-      sum += values(static_cast<Index>(k));
-  return sum;
+  for (std::size_t k = 0; k < names.size(); ++k)
+    if (!stays[k]) state.dissipated_elsewhere += dissipation(static_cast<Index>(k));
 }
 
 }  // namespace
@@ -60,16 +48,14 @@ Step moved_step(const PathState& past, double time, Model& model, CondensedPath&
   set_time(time, model);
   model.loop->place(before, before, model);
   check_sizes(past, model);
-  const SlipNames names = slip_names(model);
+  const std::vector<PairName> names = names_of_slips(model);
   path.condensed.free_displacement = free_displacement(time, model, path);
   SolverOptions options;
   options.start = past.contact_status;
   Step result{model.loop->solve(before, options, model, path.condensed, std::move(ledger)), past};
   if (result.solution.contact.report.status != SolveStatus::Solved) return result;
   PathState known = past;
-  known.slip = handed_on(names, past.slip, slip_names(model));
-  known.dissipation = handed_on(names, past.dissipation, slip_names(model));
-  known.dissipated_elsewhere += lost(names, past.dissipation, slip_names(model));
+  hand_on(names, model, known);
   result.state = after(known, time, model, VectorXd(), result.solution);
   return result;
 }

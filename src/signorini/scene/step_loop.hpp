@@ -2,8 +2,10 @@
 /// \file
 /// How a load step is solved that is no linear problem: what an effect hands to the plan, and the add-on steps calls.
 #pragma once
+#include <cstddef>
 #include <functional>
 #include <utility>
+#include <vector>
 
 #include "signorini/scene/solution.hpp"
 
@@ -40,5 +42,23 @@ struct StepLoop {
 /// \param solution  u in two parts
 /// \return displacements of all nodes
 [[nodiscard]] Displaced displaced(const Unknowns& unknowns, const PrimalDual& solution);
+
+/// Which pair is which, wherever it stands among the others: the number of its contact and the node of its source.
+using PairName = std::pair<std::size_t, Eigen::Index>;
+
+/// \param model  with pairs that have nodes
+/// \return `n_c` names of its pairs
+[[nodiscard]] std::vector<PairName> names_of_pairs(const Model& model);
+
+/// \param model  with pairs that have nodes
+/// \return `n_s` names of the pairs that can slide
+[[nodiscard]] std::vector<PairName> names_of_slips(const Model& model);
+
+/// Which of other pairs is which of these.
+/// \param others  names, each once
+/// \param these   names
+/// \return for each of these the number that it has among the others; -1 where it is not among them
+[[nodiscard]] std::vector<Eigen::Index> numbers_among(const std::vector<PairName>& others,
+                                                      const std::vector<PairName>& these);
 
 }  // namespace signorini

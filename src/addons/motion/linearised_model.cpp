@@ -1,0 +1,140 @@
+// # Linear about a place
+//
+// Where the bodies stand, forces, gaps and slips are written anew, and count from there. Two sets of numbers must not be mixed
+// up. The way d of an iteration counts from the place, and ends at 0. What a scene is told, displacements, counts from the scene.
+// So the last thing that is done is to count anew.
+//
+// Supports give what they have left with the first way. It is a load of the linear problem: the tangent of the cells that they
+// hold, times what is left.
+
+#include "addons/motion/linearised_model.hpp"
+
+#include <utility>
+
+#include "addons/motion/moved_pairs.hpp"
+#include "signorini/problem/exact_sum.hpp"
+#include "signorini/problem/residual.hpp"
+#include "signorini/scene/balance.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+/// How far the unknowns have moved, less the mean of their body: a body that is carried far is no better measured by that.
+VectorXd moved_within(const Model& model, const Displaced& at) {
+  NodeArray moved = at.high;
+  for (const BodyModel& body : model.bodies) {
+    auto own = moved.middleRows(body.first_node, body.mesh.n_nodes());
+    own.rowwise() -= own.colwise().mean().eval();
+  }
+  return restricted(model.unknowns, moved);
+}
+
+/// What supports still have to give.
+NodeArray left_to_give(const Unknowns& unknowns, const Displaced& at) {
+  return (unknowns.number < 0).select((unknowns.held - at.high) - at.low, 0);
+}
+
+}  // namespace
+
+LinearisedModel::LinearisedModel(const PlacePairs& place, const Displaced& before, Model& model)
+    : place_(place),
+      before_(before),
+      model_(model),
+      bodies_(model),
+      stiffness_(model.programme.stiffness),
+      load_(model.programme.load),
+      outer_(outer_forces(model)),
+      at_(before) {}
+
+bool LinearisedModel::arrived() const { return left_to_give(model_.unknowns, at_).isZero(0); }
+
+void LinearisedModel::move(const Displaced& there, bool keep_points, Ledger& ledger) {
+  QuadraticProgramme& programme = model_.programme;
+  const NodeArray left = left_to_give(model_.unknowns, there);
+  const bool rest = there.high.isZero(0) && there.low.isZero(0);
+  Eigen::SparseMatrix<double> tangent;
+  BodyAnswer answer;
+  if (!rest) {
+    const Ledger::Phase phase(ledger, "forces");
+    answer = bodies_.at(model_, there, left, finite() ? &tangent : nullptr);
+  }
+  {
+    const Ledger::Phase phase(ledger, "pairs");
+    ledger.count("searches", 1);
+    place_(there, before_, model_, keep_points);
+  }
+  at_ = there;
+  if (rest) return;
+  if (finite()) programme.stiffness.swap(tangent);
+  programme.load = outer_ - answer.force - answer.ahead;
+  programme.reached = {moved_within(model_, at_), std::move(answer.terms)};
+}
+
+// What supports give is gone to its end exactly.
+Displaced LinearisedModel::ahead(const PrimalDual& way, double share) const {
+  Displaced there = at_;
+  const Unknowns& unknowns = model_.unknowns;
+  for (Index node = 0; node < there.high.rows(); ++node)
+    for (const Index axis : {0, 1}) {
+      const Index k = unknowns.number(node, axis);
+      double& high = there.high(node, axis);
+      double& low = there.low(node, axis);
+      if (k >= 0) {
+        add_to(high, low, share * way.displacement(k));
+        if (way.displacement_low.size() > 0) add_to(high, low, share * way.displacement_low(k));
+      } else if (share == 1) {
+        high = unknowns.held(node, axis);
+        low = 0;
+      } else {
+        add_to(high, low, share * ((unknowns.held(node, axis) - high) - low));
+      }
+    }
+  return there;
+}
+
+Certificate LinearisedModel::certificate(const Solution& solution) const {
+  if (!arrived()) return uncertified();
+  const VectorXd& force = solution.refined.force;
+  Certificate here =
+      certify(model_.programme, {VectorXd::Zero(model_.unknowns.count), {}, force}, model_.law);
+  here.balance = imbalance(model_, solution.contact, force);
+  return here;
+}
+
+void LinearisedModel::conclude(Solution& solution) const {
+  QuadraticProgramme& programme = model_.programme;
+  solution.refined.displacement = restricted(model_.unknowns, at_.high);
+  solution.refined.displacement_low = restricted(model_.unknowns, at_.low);
+  solution.refined.rigid = {};
+  for (std::size_t b = 0; b < model_.bodies.size(); ++b) {
+    const BodyModel& body = model_.bodies[b];
+    solution.displacements[b] = at_.high.middleRows(body.first_node, body.mesh.n_nodes());
+  }
+  count_from_the_scene(at_, model_);
+  if (finite())
+    programme.load += stiffness_ * solution.refined.displacement;
+  else
+    programme.load = load_;
+}
+
+void LinearisedModel::restore() const {
+  model_.programme.stiffness = stiffness_;
+  model_.programme.reached = {};
+}
+
+Certificate certificate_where_it_stands(const PrimalDual& claim, Model model) {
+  const Displaced at = displaced(model.unknowns, claim);
+  const NodeArray still = NodeArray::Zero(at.high.rows(), 2);
+  const BodyAnswer answer = BodyAnswers(model).at(model, at, still, nullptr);
+  QuadraticProgramme& programme = model.programme;
+  programme.initial_gap -= programme.A * restricted(model.unknowns, at.high + at.low);
+  programme.load = outer_forces(model) - answer.force;
+  programme.reached = {moved_within(model, at), answer.terms};
+  return certify(programme, {VectorXd::Zero(claim.displacement.size()), {}, claim.force},
+                 model.law);
+}
+
+}  // namespace signorini
