@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "addons/motion/curvature.hpp"
-#include "addons/motion/point_keeper.hpp"
 #include "catch_compat.hpp"
 #include "signorini/contact/node_to_obstacle.hpp"
 #include "support/waves.hpp"
@@ -34,9 +33,9 @@ MatrixXd differences(const NodeArray& places, const Forces& forces) {
 /// |B - D| / |B| against differences with shares as they are where nothing moves.
 double error_with_shares_held(const Waves& waves, const VectorXd& force) {
   const NodeArray first = waves.places();
-  const MatrixXd B = contact_curvature(waves.at(first, true), force, first);
+  const MatrixXd B = contact_curvature(waves.points(first), force, first);
   const MatrixXd D = differences(first, [&](const NodeArray& places) -> VectorXd {
-    return held_rows(waves.at(places, true), places, first).transpose() * force;
+    return held_rows(waves, places, first).transpose() * force;
   });
   return (B - D).norm() / B.norm();
 }
@@ -44,7 +43,7 @@ double error_with_shares_held(const Waves& waves, const VectorXd& force) {
 /// The greatest |Bv - dF|/|Bv| of some smooth displacements, another one of each body, with the library's own forces F.
 double error_of_smooth_displacements(const Waves& waves, const VectorXd& force) {
   const NodeArray first = waves.places();
-  const MatrixXd B = contact_curvature(waves.at(first, true), force, first);
+  const MatrixXd B = contact_curvature(waves.points(first), force, first);
   double worst = 0;
   for (int wave = 0; wave < 6; ++wave) {
     NodeArray v(first.rows(), 2);
@@ -55,8 +54,8 @@ double error_of_smooth_displacements(const Waves& waves, const VectorXd& force) 
         v(node, axis) = std::sin((1.1 + 0.2 * wave) * first(node, 0) + phase) + 0.3 * other;
       }
     const double h = 1e-6;
-    const VectorXd change = (waves.at(first + h * v, false).opening.transpose() * force -
-                             waves.at(first - h * v, false).opening.transpose() * force) /
+    const VectorXd change = (waves.at(first + h * v).opening.transpose() * force -
+                             waves.at(first - h * v).opening.transpose() * force) /
                             (2 * h);
     const VectorXd Bv = B * Eigen::Map<const VectorXd>(v.data(), v.size());
     worst = std::max(worst, (Bv - change).norm() / Bv.norm());
@@ -78,7 +77,7 @@ TEST_CASE("B is what differences of the nodes' forces are, of straight sides and
       spec.gap = gap;
       spec.target_order = order;
       const Waves waves(spec);
-      const VectorXd force = some_force(waves.at(waves.places(), false));
+      const VectorXd force = some_force(waves.at(waves.places()));
       CHECK(error_with_shares_held(waves, force) <= (order == MeshOrder::Linear ? 1e-5 : 1e-4));
     }
 }
@@ -91,7 +90,7 @@ TEST_CASE("of smooth displacements B tells the change of the library's own force
       for (const double gap : {-0.01, 0.0, 0.05}) {
         CAPTURE(static_cast<int>(source), static_cast<int>(target), gap);
         const Waves waves({17, 6, source, target, gap});
-        const VectorXd force = some_force(waves.at(waves.places(), false));
+        const VectorXd force = some_force(waves.at(waves.places()));
         CHECK(error_of_smooth_displacements(waves, force) <= 0.01);
       }
 }
@@ -110,7 +109,7 @@ TEST_CASE("B holds where the nodes of source and target lie on each other", "[mo
     waves.target.nodes(k, 1) =
         (waves.target.nodes(k, 1) < -0.25 ? -0.5 : 0) + 0.2 * std::sin(1.7 * x + 0.3);
   }
-  VectorXd force = some_force(waves.at(waves.places(), false));
+  VectorXd force = some_force(waves.at(waves.places()));
   for (const Index end : {Index(0), force.size() - 2}) force.segment<2>(end).setZero();
   CHECK(error_with_shares_held(waves, force) <= 0.01);
 }
@@ -122,9 +121,10 @@ TEST_CASE("B is symmetric, linear in the forces, and as objective as they are", 
         CAPTURE(static_cast<int>(source), static_cast<int>(target), gap);
         const Waves waves({9, 7, source, target, gap});
         const NodeArray places = waves.places();
-        const Pairs pairs = waves.at(places, true);
+        KeptPoints kept;
+        const Pairs pairs = waves.at(places, &kept);
         const VectorXd force = some_force(pairs);
-        const MatrixXd B = contact_curvature(pairs, force, places);
+        const MatrixXd B = contact_curvature(kept, force, places);
         CHECK((B - B.transpose()).cwiseAbs().maxCoeff() == 0);
         // A few dozen terms of either sign that are larger than their sums, each rounded.
         const double rounding = 1e-13 * B.cwiseAbs().rowwise().sum().maxCoeff();
@@ -142,12 +142,12 @@ TEST_CASE("B is symmetric, linear in the forces, and as objective as they are", 
         CHECK((moved() - Eigen::Map<const VectorXd>(turned.data(), turned.size()))
                   .cwiseAbs()
                   .maxCoeff() <= rounding);
-        CHECK(contact_curvature(pairs, 0 * force, places).nonZeros() == 0);
-        CHECK(contact_curvature(waves.at(places, false), force, places).nonZeros() == 0);
+        CHECK(contact_curvature(kept, 0 * force, places).nonZeros() == 0);
+        CHECK(contact_curvature({}, force, places).nonZeros() == 0);
         VectorXd other = force;
         std::reverse(other.begin(), other.end());
-        const MatrixXd sum = contact_curvature(pairs, 2 * force + other, places);
-        CHECK((sum - 2 * B - MatrixXd(contact_curvature(pairs, other, places)))
+        const MatrixXd sum = contact_curvature(kept, 2 * force + other, places);
+        CHECK((sum - 2 * B - MatrixXd(contact_curvature(kept, other, places)))
                   .cwiseAbs()
                   .maxCoeff() <= rounding);
       }
@@ -158,16 +158,18 @@ TEST_CASE("an obstacle turns normals by 1/(R + gap), and a flat one by nothing",
   const Vector2d centre(0.4, -2);
   GapOptions options;
   options.n_nodes = mesh.n_nodes();
-  options.keeper = &point_keeper();
   const auto at = [&](const Obstacle& obstacle, const NodeArray& places) {
     Mesh there = mesh;
     there.nodes = places;
     return node_to_obstacle({there, "bottom"}, obstacle, options);
   };
+  const auto points = [&](const Obstacle& obstacle, const Pairs& pairs) {
+    return kept_points(pairs, {mesh, "bottom"}, obstacle);
+  };
   const Obstacle round = disc(centre, 1.5);
   const Pairs pairs = at(round, mesh.nodes);
   const VectorXd force = some_force(pairs);
-  const MatrixXd B = contact_curvature(pairs, force, mesh.nodes);
+  const MatrixXd B = contact_curvature(points(round, pairs), force, mesh.nodes);
   const MatrixXd D = differences(mesh.nodes, [&](const NodeArray& places) -> VectorXd {
     return at(round, places).opening.transpose() * force;
   });
@@ -177,6 +179,7 @@ TEST_CASE("an obstacle turns normals by 1/(R + gap), and a flat one by nothing",
   const Index column = 2 * pairs.node[2];
   const double expected = force(pair) * arm.y() * arm.y() / std::pow(arm.norm(), 3);
   CHECK(std::abs(B(column, column) - expected) <= 1e-8 * expected);
-  const Pairs flat = at(half_plane({0, -1}, {0.3, 1}), mesh.nodes);
-  CHECK(contact_curvature(flat, force, mesh.nodes).nonZeros() == 0);
+  const Obstacle plane = half_plane({0, -1}, {0.3, 1});
+  const Pairs flat = at(plane, mesh.nodes);
+  CHECK(contact_curvature(points(plane, flat), force, mesh.nodes).nonZeros() == 0);
 }

@@ -2,8 +2,7 @@
 #pragma once
 #include <cmath>
 
-#include "addons/motion/point_keeper.hpp"
-#include "signorini/contact/kept_points.hpp"
+#include "addons/motion/kept_points.hpp"
 #include "signorini/fem/side_curve.hpp"
 #include "support/facing_blocks.hpp"
 
@@ -39,14 +38,24 @@ struct Waves {
     all << source.nodes, target.nodes;
     return all;
   }
-  [[nodiscard]] signorini::Pairs at(const signorini::NodeArray& places, bool keep_points) const {
+  /// The pairs of the same bodies elsewhere; `kept` receives their points unless it is null.
+  [[nodiscard]] signorini::Pairs at(const signorini::NodeArray& places,
+                                    signorini::KeptPoints* kept = nullptr) const {
     signorini::Mesh one = source;
     signorini::Mesh other = target;
     one.nodes = places.topRows(source.n_nodes());
     other.nodes = places.bottomRows(target.n_nodes());
     signorini::GapOptions options;
-    if (keep_points) options.keeper = &signorini::point_keeper();
+    if (kept != nullptr)
+      options.watch = [kept](const signorini::MortarPoints& found, const signorini::Pairs& pairs) {
+        *kept = signorini::kept_points(found, pairs);
+      };
     return over(one, other, options);
+  }
+  [[nodiscard]] signorini::KeptPoints points(const signorini::NodeArray& places) const {
+    signorini::KeptPoints kept;
+    static_cast<void>(at(places, &kept));
+    return kept;
   }
 };
 
@@ -81,12 +90,14 @@ inline double stretch(const signorini::SidePlace& side, const signorini::NodeArr
 }
 
 /// Rows of N whose points count as they did where a source of straight sides was as long as it is in `first`.
-inline Eigen::MatrixXd held_rows(const signorini::Pairs& pairs, const signorini::NodeArray& places,
+inline Eigen::MatrixXd held_rows(const Waves& waves, const signorini::NodeArray& places,
                                  const signorini::NodeArray& first) {
+  signorini::KeptPoints kept;
+  const signorini::Pairs pairs = waves.at(places, &kept);
   Eigen::VectorXd total = Eigen::VectorXd::Zero(pairs.weight.size());
   Eigen::MatrixXd N = Eigen::MatrixXd::Zero(total.size(), places.size());
   Eigen::RowVectorXd row(places.size());
-  for (const signorini::KeptPoint& point : pairs.points) {
+  for (const signorini::KeptPoint& point : kept.points) {
     const double amount = point.share * pairs.weight(point.pair) * stretch(point.source, first) /
                           stretch(point.source, places);
     total(point.pair) += amount;

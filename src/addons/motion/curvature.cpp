@@ -136,13 +136,13 @@ Block of_jump(const KeptJump& jump) {
 }  // namespace
 
 /// Only half is written, and the other half is the same: so B is symmetric to the last bit.
-Eigen::SparseMatrix<double> contact_curvature(const Pairs& pairs, const Eigen::VectorXd& force,
+Eigen::SparseMatrix<double> contact_curvature(const KeptPoints& kept, const Eigen::VectorXd& force,
                                               const NodeArray& places) {
   Triplets lower;
-  for (const KeptPoint& point : pairs.points)
+  for (const KeptPoint& point : kept.points)
     if (const double push = point.share * force(point.pair); push != 0)
       write(columns_of({&point.source, &point.target}), push * of_point(point, places), lower);
-  for (const KeptJump& jump : pairs.jumps) {
+  for (const KeptJump& jump : kept.jumps) {
     const KeptPoint& point = jump.before;
     if (const double push = point.share * force(point.pair); push != 0)
       write(columns_of({&point.source, &point.target, &jump.behind.target}), push * of_jump(jump),

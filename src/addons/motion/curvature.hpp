@@ -4,7 +4,7 @@
 #pragma once
 #include <Eigen/SparseCore>
 
-#include "signorini/contact/pairs.hpp"
+#include "addons/motion/kept_points.hpp"
 
 namespace signorini {
 
@@ -17,11 +17,11 @@ namespace signorini {
 /// truth. Exact are its properties: it is symmetric, a translation of all bodies is a null vector, and a turn of all by
 /// \f$ \omega \f$ is mapped to the forces that turn with them. An obstacle stands still and is no body then; one whose gap is no distance, as of profile(),
 /// has the part that lies along it. What friction adds is not symmetric and is left out.
-/// \param pairs   `n_c` with their points, see point_keeper(); pairs without are taken for flat
+/// \param kept    points of the pairs; pairs without are taken for flat
 /// \param force   `n_c` contact forces [force], compression > 0
 /// \param places  `n_nodes x 2` of all nodes, where the pairs were found [length]
 /// \return `2 n_nodes x 2 n_nodes` [force/length], column 2 * node + axis; no entries of pairs without force
-[[nodiscard]] Eigen::SparseMatrix<double> contact_curvature(const Pairs& pairs,
+[[nodiscard]] Eigen::SparseMatrix<double> contact_curvature(const KeptPoints& kept,
                                                             const Eigen::VectorXd& force,
                                                             const NodeArray& places);
 

@@ -19,9 +19,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "addons/motion/point_keeper.hpp"
-#include "signorini/pairing/pair_rows.hpp"
-
 namespace signorini {
 namespace {
 
@@ -65,7 +62,7 @@ void add_jump(const SampledEdge& of, double xi, double part, Index one, Index ot
     if (basis.mean(i) == 0) continue;
     const auto facing = [&](Index side) {
       const Index node = edge.nodes[static_cast<std::size_t>(i)];
-      return kept_point(interface, {node, edge.side, xi, place_on(interface.search, side, x)}, psi(i));
+      return kept(interface, {node, edge.side, xi, place_on(interface.search, side, x)}, psi(i));
     };
     jumps.push_back({facing(one), facing(other), edge.side->tangent(xi).normalized()});
   }

@@ -4,7 +4,7 @@
 #pragma once
 #include <vector>
 
-#include "signorini/pairing/mortar_segments.hpp"
+#include "addons/motion/kept_points.hpp"
 
 namespace signorini {
 

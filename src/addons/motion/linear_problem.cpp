@@ -55,7 +55,8 @@ void turn_forces(const TangentProblem& problem, QuadraticProgramme& programme) {
   NodeArray places = model.standing->displacement;
   for (const BodyModel& body : model.bodies)
     places.middleRows(body.first_node, body.mesh.n_nodes()) += body.mesh.nodes;
-  const Eigen::SparseMatrix<double> all = contact_curvature(model.pairs, problem.turning, places);
+  const Eigen::SparseMatrix<double> all =
+      contact_curvature(problem.points, problem.turning, places);
   std::vector<Eigen::Triplet<double>> entries;
   const auto unknown = [&](Index component) {
     return static_cast<int>(model.unknowns.number(component / 2, component % 2));

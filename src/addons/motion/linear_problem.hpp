@@ -4,6 +4,7 @@
 #pragma once
 #include <vector>
 
+#include "addons/motion/kept_points.hpp"
 #include "signorini/scene/solution.hpp"
 
 namespace signorini {
@@ -25,7 +26,8 @@ struct TangentProblem {
   const std::vector<Eigen::Index>& held;  ///< rows that held last, see held_rows()
   /// `n_c` forces of the last iteration, which turn with the bodies; empty: none are known [force]
   const Eigen::VectorXd& turning;
-  const SolverOptions& options;           ///< for the solver
+  const KeptPoints& points;      ///< of its pairs, where `turning` acts
+  const SolverOptions& options;  ///< for the solver
   std::size_t& rung;  ///< of the ladder, to begin with; becomes the one that held
 };
 

@@ -51,7 +51,7 @@ LinearisedModel::LinearisedModel(const PlacePairs& place, const Displaced& befor
 
 bool LinearisedModel::arrived() const { return left_to_give(model_.unknowns, at_).isZero(0); }
 
-void LinearisedModel::move(const Displaced& there, bool keep_points, Ledger& ledger) {
+void LinearisedModel::move(const Displaced& there, KeptPoints* points, Ledger& ledger) {
   QuadraticProgramme& programme = model_.programme;
   const NodeArray left = left_to_give(model_.unknowns, there);
   const bool rest = there.high.isZero(0) && there.low.isZero(0);
@@ -64,7 +64,7 @@ void LinearisedModel::move(const Displaced& there, bool keep_points, Ledger& led
   {
     const Ledger::Phase phase(ledger, "pairs");
     ledger.count("searches", 1);
-    place_(there, before_, model_, keep_points);
+    place_(there, before_, model_, points);
   }
   at_ = there;
   if (rest) return;

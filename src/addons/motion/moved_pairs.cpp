@@ -10,9 +10,9 @@
 #include "addons/motion/moved_pairs.hpp"
 
 #include <memory>
+#include <numeric>
 #include <string>
 
-#include "addons/motion/point_keeper.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/effects.hpp"
 
@@ -63,6 +63,39 @@ std::string slide_along_obstacles(const Standing& standing, Pairs& pairs) {
   return {};
 }
 
+/// Points of the candidates of all contacts, until it is known which of them are pairs of the model.
+struct CandidatePoints {
+  KeptPoints points;
+  std::vector<PairName> names;  ///< of the candidates
+  std::size_t contact = 0;      ///< whose candidates are found
+
+  void add(const KeptPoints& some, const Pairs& candidates, Index first_node) {
+    std::vector<Index> number(candidates.node.size());
+    std::iota(number.begin(), number.end(), static_cast<Index>(names.size()));
+    append_points(some, number, points);
+    for (const Index node : candidates.node) names.emplace_back(contact, first_node + node);
+  }
+  [[nodiscard]] PointWatch watch() {
+    return [this](const MortarPoints& found, const Pairs& candidates) {
+      add(kept_points(found, candidates), candidates, found.interface.source.first_node);
+    };
+  }
+  /// Candidates of an obstacle are their own points: none are shown.
+  void end_contact(const ContactSpec& of, const std::vector<BodyModel>& bodies,
+                   const Pairs& candidates) {
+    if (const Obstacle* obstacle = std::get_if<Obstacle>(&of.target)) {
+      const Surface source = surface(bodies, of.source);
+      add(kept_points(candidates, source, *obstacle), candidates, source.first_node);
+    }
+    ++contact;
+  }
+  [[nodiscard]] KeptPoints of_pairs(const Model& model) const {
+    KeptPoints kept;
+    append_points(points, numbers_among(names_of_pairs(model), names), kept);
+    return kept;
+  }
+};
+
 /// X + u rounded, and what that lacks.
 struct Places {
   NodeArray rounded;
@@ -111,18 +144,21 @@ void add_rest(const NodeArray& rest, const Unknowns& unknowns, Gaps& gaps) {
 }  // namespace
 
 void place_bodies(const Scene& scene, const Displaced& displacement, const Displaced& before,
-                  Model& model, bool keep_points) {
+                  Model& model, KeptPoints* kept) {
   const NodeArray still = nodes_of(model.bodies);
   const Eigen::RowVector2d carried = carrier(scene, model, displacement);
   const Places now = places(still, displacement, carried);
   const Places earlier = places(still, before, carrier(scene, model, before));
   const NodeArray moved = (displacement.high - before.high) + (displacement.low - before.low);
   Plan draft;
-  draft.standing = std::make_shared<const Standing>(
-      Standing{displacement.high, earlier.rounded, moved - now.rest,
-               keep_points ? &point_keeper() : nullptr});
-  draft.fits = {[&standing = *draft.standing](const ContactSpec& /*contact*/, Pairs& pairs) {
-    return slide_along_obstacles(standing, pairs);
+  const auto standing =
+      std::make_shared<Standing>(Standing{displacement.high, earlier.rounded, moved - now.rest});
+  CandidatePoints candidates;
+  if (kept != nullptr) standing->watch = candidates.watch();
+  draft.standing = standing;
+  draft.fits = {[&](const ContactSpec& contact, Pairs& pairs) {
+    if (kept != nullptr) candidates.end_contact(contact, draft.bodies, pairs);
+    return slide_along_obstacles(*standing, pairs);
   }};
   draft.unknowns = from_there(model.unknowns, displacement, now.rest);
   draft.gaps.A.resize(0, model.unknowns.count);
@@ -135,6 +171,7 @@ void place_bodies(const Scene& scene, const Displaced& displacement, const Displ
   }
   add_rest(now.rest, draft.unknowns, draft.gaps);
   draft.gaps.pairs.position.rowwise() += carried;
+  standing->watch = {};  // it looks at what ends here
   model.standing = std::move(draft.standing);
   model.gaps = std::move(draft.gaps);
   model.contact_of = std::move(draft.contact_of);
@@ -142,6 +179,7 @@ void place_bodies(const Scene& scene, const Displaced& displacement, const Displ
   for (const Effect* effect : model.effects)
     if (effect->of_pairs) effect->add(model);
   model.gaps = {};
+  if (kept != nullptr) *kept = candidates.of_pairs(model);
 }
 
 void count_from_the_scene(const Displaced& displacement, Model& model) {

@@ -56,11 +56,10 @@ void move_pairs(const Scene& scene, Plan& draft) {
                 ", which takes load steps: add [[steps]] with until = 1 and count = 1 or more");
   for (const ContactSpec& contact : scene.contacts) check_contact(contact, draft);
   draft.followed.reset();
-  draft.loop = std::make_shared<const StepLoop>(
-      moving_step([contacts = contacts_of(scene)](const Displaced& displacement,
-                                                  const Displaced& before, Model& model,
-                                                  bool keep_points) {
-        place_bodies(*contacts, displacement, before, model, keep_points);
+  draft.loop = std::make_shared<const StepLoop>(moving_step(
+      [contacts = contacts_of(scene)](const Displaced& displacement, const Displaced& before,
+                                      Model& model, KeptPoints* kept) {
+        place_bodies(*contacts, displacement, before, model, kept);
       }));
 }
 

@@ -74,6 +74,7 @@ struct Moving {
   Factor factor = condensed.factor;  ///< of K before strain
   std::vector<Index> held = {};      ///< rows that held in the last iteration, see held_rows()
   VectorXd turning = {};             ///< contact forces of the last iteration
+  KeptPoints points = {};            ///< of the pairs, if the tangent of the next iteration wants them
   SlowWays ways = {};                ///< of the iterations so far
   std::string reason = {};           ///< why a place cannot be gone to
   int iteration = 0;                 ///< that is made
@@ -84,6 +85,10 @@ struct Moving {
   /// Whether an iteration has a tangent of its own: under finite strain, and where one factor leads nowhere.
   [[nodiscard]] bool has_tangent(int number) const {
     return place.finite() || number > most_with_one_factor;
+  }
+  /// Where an iteration wants to know the points of its pairs.
+  [[nodiscard]] KeptPoints* wanted_points(int number) {
+    return has_tangent(number) ? &points : nullptr;
   }
   Solution linear_problem();
   [[nodiscard]] double first_share(const VectorXd& way,
@@ -111,7 +116,7 @@ Solution Moving::linear_problem() {
     ledger = std::move(solution.ledger);
   }
   tangent_made = true;
-  return solve_with_tangent({model, held, turning, options, rung}, condensed, std::move(ledger),
+  return solve_with_tangent({model, held, turning, points, options, rung}, condensed, std::move(ledger),
                             bounded);
 }
 
@@ -128,7 +133,7 @@ bool Moving::goes_to(const Solution& solution) {
   const std::vector<ContactStatus> statuses = all_statuses(solution.contact);
   double share = first_share(way, statuses);
   for (int halved = 0; halved <= model.path.halvings;) try {
-      place.move(place.ahead(solution.refined, share), has_tangent(iteration + 1), ledger);
+      place.move(place.ahead(solution.refined, share), wanted_points(iteration + 1), ledger);
       ways.gone(way, statuses, share);
       reason.clear();
       return true;
@@ -185,7 +190,7 @@ void Moving::hand_on(const Linearised& solved, const ContactState& contact) {
 
 /// Iterations until one holds. \return whether one did
 bool Moving::ends(Solution& solution) {
-  place.move(before, has_tangent(1), ledger);
+  place.move(before, wanted_points(1), ledger);
   while (++iteration <= most_iterations) {
     const Linearised problem{names_of_pairs(model), model.law};
     solution = linear_problem();
@@ -220,7 +225,7 @@ Solution Moving::solved() {
 StepLoop moving_step(PlacePairs place) {
   StepLoop loop;
   loop.place = [place](const Displaced& displacement, const Displaced& before, Model& model) {
-    place(displacement, before, model, false);
+    place(displacement, before, model, nullptr);
     count_from_the_scene(displacement, model);
   };
   loop.solve = [place = std::move(place)](const Displaced& before, const SolverOptions& options,

@@ -2,14 +2,15 @@
 /// \file
 /// One load step of bodies that move.
 #pragma once
+#include "addons/motion/kept_points.hpp"
 #include "signorini/scene/step_loop.hpp"
 
 namespace signorini {
 
-/// Writes pairs, gaps and slips of a model where its bodies stand, counted from there, with points or without: see
+/// Writes pairs, gaps and slips of a model where its bodies stand, counted from there, and keeps points unless `kept` is null: see
 /// place_bodies().
 using PlacePairs = std::function<void(const Displaced& displacement, const Displaced& before,
-                                      Model& model, bool keep_points)>;
+                                      Model& model, KeptPoints* kept)>;
 
 /// The loop of linearised contact problems of a step, see StepLoop: at the present u, forces, pairs, gaps and slips are written
 /// anew, the linear problem is solved and certified as any other, and the way d that it finds leads to the next u. It ends when

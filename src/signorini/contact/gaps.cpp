@@ -144,12 +144,6 @@ Pairs selected(const Pairs& pairs, const std::vector<Index>& kept, const Surface
     some.node.push_back(node < 0 ? node : source.first_node + node);
   }
   for (const Index node : pairs.unpaired) some.unpaired.push_back(source.first_node + node);
-  // Points know the number of their pair, which is another one from here on. Pairs that are not
-  // kept have none.
-  std::vector<Index> number(pairs.node.size(), -1);
-  for (std::size_t k = 0; k < kept.size(); ++k)
-    number[static_cast<std::size_t>(kept[k])] = static_cast<Index>(k);
-  append_points(pairs, number, some);
   return some;
 }
 
@@ -203,20 +197,6 @@ NodalRows selected_rows(const NodalRows& rows, const std::vector<Index>& kept) {
     for (NodalRows::InnerIterator it(rows, kept[k]); it; ++it)
       entries.emplace_back(static_cast<int>(k), static_cast<int>(it.col()), it.value());
   return matrix(static_cast<Index>(kept.size()), rows.cols(), entries);
-}
-
-/// A point of a pair that is dropped goes with it: its force would be none. Of a jump both points belong
-/// to the same pair. Mostly there are no points at all, and nothing is to do: they are
-/// kept where bodies move so far that a row will not stay what it is.
-void append_points(const Pairs& from, const std::vector<Index>& number, Pairs& to) {
-  for (KeptPoint point : from.points) {
-    point.pair = number[static_cast<std::size_t>(point.pair)];
-    if (point.pair >= 0) to.points.push_back(point);
-  }
-  for (KeptJump jump : from.jumps) {
-    jump.before.pair = jump.behind.pair = number[static_cast<std::size_t>(jump.before.pair)];
-    if (jump.before.pair >= 0) to.jumps.push_back(jump);
-  }
 }
 
 /// A scene with several contacts has one list of pairs. A matrix without rows may come from a

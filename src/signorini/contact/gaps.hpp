@@ -53,12 +53,6 @@ struct Gaps {
 /// \return `k x n`, in the order of `kept`
 [[nodiscard]] NodalRows selected_rows(const NodalRows& rows, const std::vector<Eigen::Index>& kept);
 
-/// Adds the points that some pairs have kept to those of others.
-/// \param from    the pairs
-/// \param number  `n_c` the number that each of them has among the others; -1: it is not among them
-/// \param[in,out] to  the others
-void append_points(const Pairs& from, const std::vector<Eigen::Index>& number, Pairs& to);
-
 /// Puts the rows of two matrices below each other.
 /// \param upper  `m_1 x n`
 /// \param lower  `m_2 x n`

@@ -89,8 +89,6 @@ Pairs node_to_obstacle(const Surface& source, const Obstacle& obstacle, const Ga
   pairs.moment = pairs.target_moment = NodeArray::Zero(n_pairs, 2);
   pairs.weight = weights_of_nodes(
       boundary_areas(source.mesh, source.boundary, options.depth)(kept, Eigen::all), pairs.normal);
-  if (options.keeper != nullptr)
-    pairs.points = options.keeper->at_obstacle(pairs, source, obstacle);
   return pairs;
 }
 

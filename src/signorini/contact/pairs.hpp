@@ -11,10 +11,10 @@
 #pragma once
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
+#include <functional>
 #include <string>
 #include <vector>
 
-#include "signorini/contact/kept_points.hpp"
 #include "signorini/fem/mesh.hpp"
 
 namespace signorini {
@@ -52,9 +52,14 @@ struct Pairs {
   std::vector<Eigen::Index> unpaired;
   Eigen::VectorXd slid =
       {};  ///< `n_c` slip where no unknown moves [length]; empty: 0, see GapOptions::before
-  std::vector<KeptPoint> points = {};  ///< of all pairs; none unless asked for, see GapOptions
-  std::vector<KeptJump> jumps = {};    ///< between them, of an operator that knows where they are
 };
+
+/// What rows of pairs are means over, as the operator has it: see pairing/mortar_points.hpp.
+struct MortarPoints;
+
+/// Looks at the points of pairs before they are forgotten. A row is a mean: it says what a pair reads of the displacements
+/// where the bodies stand, and not how it will read them once they have moved.
+using PointWatch = std::function<void(const MortarPoints& points, const Pairs& pairs)>;
 
 /// \param arm     from a point to a place [length]
 /// \param normal  unit vector [-]

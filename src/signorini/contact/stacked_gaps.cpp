@@ -9,7 +9,6 @@
 // nothing for two. The list below has the order of the struct, and braces leave out nothing but
 // what stands last.
 
-#include <numeric>
 #include <vector>
 
 #include "signorini/contact/gaps.hpp"
@@ -38,23 +37,15 @@ std::vector<Index> joined_lists(std::vector<Index> upper, const std::vector<Inde
 Gaps stacked(const Gaps& upper, const Gaps& lower) {
   const Pairs& above = upper.pairs;
   const Pairs& under = lower.pairs;
-  Gaps both{{below(above.opening, under.opening), below(above.sliding, under.sliding),
-             below_dense(above.initial_gap, under.initial_gap),
-             below_dense(above.weight, under.weight), below_dense(above.position, under.position),
-             below_dense(above.normal, under.normal), below_dense(above.moment, under.moment),
-             below_dense(above.target_moment, under.target_moment),
-             joined_lists(above.node, under.node), joined_lists(above.unpaired, under.unpaired)},
-            below(upper.A, lower.A),
-            below(upper.T, lower.T),
-            below_dense(upper.initial_slip, lower.initial_slip)};
-  // Points are no rows: pairs have any number of them, mostly none. Those of the lower pairs count
-  // from where the upper ones end.
-  both.pairs.points = above.points;
-  both.pairs.jumps = above.jumps;
-  std::vector<Index> number(under.node.size());
-  std::iota(number.begin(), number.end(), static_cast<Index>(above.node.size()));
-  append_points(under, number, both.pairs);
-  return both;
+  return {{below(above.opening, under.opening), below(above.sliding, under.sliding),
+           below_dense(above.initial_gap, under.initial_gap),
+           below_dense(above.weight, under.weight), below_dense(above.position, under.position),
+           below_dense(above.normal, under.normal), below_dense(above.moment, under.moment),
+           below_dense(above.target_moment, under.target_moment),
+           joined_lists(above.node, under.node), joined_lists(above.unpaired, under.unpaired)},
+          below(upper.A, lower.A),
+          below(upper.T, lower.T),
+          below_dense(upper.initial_slip, lower.initial_slip)};
 }
 
 }  // namespace signorini

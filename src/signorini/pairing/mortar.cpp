@@ -21,8 +21,7 @@
 #include <utility>
 
 #include "signorini/core/errors.hpp"
-#include "signorini/pairing/mortar_segments.hpp"
-#include "signorini/pairing/pair_rows.hpp"
+#include "signorini/pairing/mortar_points.hpp"
 
 namespace signorini {
 namespace {
@@ -53,31 +52,30 @@ void collect(const SourceEdge& edge, const EdgeSamples& samples, std::vector<Pai
 
 /// What the edges of a source have collected. Nodes stand for the numbers of pairs.
 struct Collected {
+  std::vector<std::vector<double>> cuts;  ///< of each side
   std::vector<PairPoint> points;
   std::map<Index, double> weights;
-  std::vector<KeptJump> jumps;  ///< if they are asked for
+  std::vector<SampledEdge> edges;  ///< if they are watched; refer to `cuts`
 };
 
 /// Edge by edge: cut it into segments, sample them, make the dual functions of what is covered, and
-/// collect. Where normals jump is seen at two neighbours at a time, once all are sampled.
+/// collect.
 Collected sample(const Interface& interface, const GapOptions& options, int n_points) {
   const bool cut = options.quadrature == Quadrature::Segments;
-  std::vector<std::vector<double>> cuts(interface.sides.size());
-  if (cut) cuts = segment_cuts(interface);
   Collected all;
-  std::vector<SampledEdge> edges;
-  for (std::size_t k = 0; k < cuts.size(); ++k)
+  all.cuts.resize(interface.sides.size());
+  if (cut) all.cuts = segment_cuts(interface);
+  for (std::size_t k = 0; k < all.cuts.size(); ++k)
     for (const SourceEdge& edge : edges_of(interface.sides[k])) {
-      const EdgeSamples samples = sample_edge(edge, interface, cuts[k], n_points);
+      const EdgeSamples samples = sample_edge(edge, interface, all.cuts[k], n_points);
       collect(edge, samples, all.points, all.weights);
-      if (options.keeper != nullptr && cut) edges.push_back({edge, samples, &cuts[k]});
+      if (options.watch && cut) all.edges.push_back({edge, samples, &all.cuts[k]});
     }
-  if (!edges.empty()) all.jumps = options.keeper->jumps(edges, interface);
   return all;
 }
 
 /// Until here a point knows its node. Nodes without weight have dropped out, so pairs are counted
-/// anew. A jump has shares already, as rows are not written of it.
+/// anew.
 Eigen::VectorXd number(const std::vector<Index>& nodes, Collected& all) {
   std::map<Index, Index> pair_of;
   Eigen::VectorXd total(static_cast<Index>(nodes.size()));
@@ -87,11 +85,6 @@ Eigen::VectorXd number(const std::vector<Index>& nodes, Collected& all) {
     total(pair) = all.weights.at(node);
   }
   for (PairPoint& point : all.points) point.pair = pair_of.at(point.pair);
-  for (KeptJump& jump : all.jumps)
-    for (KeptPoint* point : {&jump.before, &jump.behind}) {
-      point->pair = pair_of.at(point->pair);
-      point->share /= total(point->pair);
-    }
   return total;
 }
 
@@ -119,7 +112,7 @@ Pairs mortar(const Surface& source, const Surface& target, const GapOptions& opt
   pairs.position = source.mesh.nodes(pairs.node, Eigen::all);
   pairs.weight = options.depth.factor * total;
   write_rows(interface, all.points, total, options, pairs);
-  pairs.jumps = std::move(all.jumps);
+  if (options.watch) options.watch({interface, all.points, total, all.edges}, pairs);
   return pairs;
 }
 

@@ -115,8 +115,6 @@ void write_rows(const Interface& interface, const std::vector<PairPoint>& points
     act_and_react(interface, point, n, opening);
     if (options.sliding) act_and_react(interface, point, {n.y(), -n.x()}, sliding);
     if (moved) pairs.slid(point.pair) += share * slid(interface, point, *options.before);
-    if (options.keeper != nullptr)
-      pairs.points.push_back(options.keeper->point(interface, point, share));
   }
   write_matrix(opening, total, 2 * options.n_nodes, pairs.opening);
   write_matrix(sliding, total, 2 * options.n_nodes, pairs.sliding);

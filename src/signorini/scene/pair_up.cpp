@@ -17,7 +17,7 @@ namespace signorini {
 // on the source and another one on the target, and the two would not balance.
 //
 // Where bodies have moved in a step, the meshes are those of moved bodies. What the step needs to know of them comes
-// along: where the nodes stood before, and whether the points of pairs are wanted.
+// along: where the nodes stood before, and who looks at the points of pairs.
 Pairs pair_up(const ContactSpec& contact, const std::vector<BodyModel>& bodies, bool sliding,
               const Standing* standing) {
   const Surface source = surface(bodies, contact.source);
@@ -25,7 +25,7 @@ Pairs pair_up(const ContactSpec& contact, const std::vector<BodyModel>& bodies, 
   GapOptions options{count_nodes(bodies), depth, sliding, contact.points, contact.quadrature};
   if (standing != nullptr) {
     options.before = &standing->before;
-    options.keeper = standing->keeper;
+    options.watch = standing->watch;
   }
   if (const Obstacle* obstacle = std::get_if<Obstacle>(&contact.target))
     return node_to_obstacle(source, *obstacle, options);

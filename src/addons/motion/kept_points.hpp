@@ -1,15 +1,19 @@
+// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// Points of pairs that are kept beside their rows: what a row of N forgets, and its change needs.
 ///
 /// A row of \f$N\f$ is a mean over points. It says what a pair reads of the displacements where the bodies stand,
 /// and not how it will read them once they have moved. That depends on the places that face each other,
-/// and these are known to whoever writes the row.
+/// and these are known to whoever writes the row, and shown by GapOptions::watch.
 #pragma once
 #include <Eigen/Core>
 #include <array>
 #include <vector>
 
+#include "signorini/contact/obstacle.hpp"
+#include "signorini/contact/pairs.hpp"
 #include "signorini/core/alignment.hpp"
+#include "signorini/pairing/mortar_points.hpp"
 
 namespace signorini {
 
@@ -53,17 +57,37 @@ struct KeptJump {
   Eigen::Vector2d along = Eigen::Vector2d::Zero();  ///< unit tangent of the source there [-]
 };
 
-/// Who keeps points, if anybody wants them: operators hand over what they have found.
-struct PointKeeper {
-  /// A point of a pair between two meshes, and the share by which it counts.
-  KeptPoint (*point)(const Interface& interface, const PairPoint& point, double share);
-  /// Where normals jump along the edges of a source, which are in walking order and cut into segments. In the place of a pair
-  /// is the node, and in that of the share the dual function.
-  std::vector<KeptJump> (*jumps)(const std::vector<SampledEdge>& edges,
-                                 const Interface& interface);
-  /// Points of pairs that are nodes, with an obstacle.
-  std::vector<KeptPoint> (*at_obstacle)(const Pairs& pairs, const Surface& source,
-                                        const Obstacle& obstacle);
+/// What pairs keep.
+struct KeptPoints {
+  std::vector<KeptPoint> points;  ///< of all pairs
+  std::vector<KeptJump> jumps;    ///< between them
 };
+
+/// A point without references to what lives no longer than an interface.
+/// \param interface  of source and target
+/// \param point      on it
+/// \param share      by which it counts in its pair [-]
+/// \return the same point
+[[nodiscard]] KeptPoint kept(const Interface& interface, const PairPoint& point, double share);
+
+/// \param found  points of mortar pairs
+/// \param pairs  `n_c` that they belong to
+/// \return the points, and the places where normals jump between them
+[[nodiscard]] KeptPoints kept_points(const MortarPoints& found, const Pairs& pairs);
+
+/// What pairs of nodes with an obstacle keep. Each is its own point, with all of the force on one node of a
+/// side. The target has no nodes, as nothing can move it.
+/// \param pairs     `n_c` from node_to_obstacle()
+/// \param source    of the pairs
+/// \param obstacle  that they face
+/// \return the points
+[[nodiscard]] KeptPoints kept_points(const Pairs& pairs, const Surface& source,
+                                     const Obstacle& obstacle);
+
+/// Adds the points that some pairs have kept to those of others.
+/// \param from    points of the pairs
+/// \param number  `n_c` the number that each of them has among the others; -1: it is not among them
+/// \param[in,out] to  points of the others
+void append_points(const KeptPoints& from, const std::vector<Eigen::Index>& number, KeptPoints& to);
 
 }  // namespace signorini
