@@ -106,6 +106,31 @@ TEST_CASE("every back end: solutions and the compliance are those of ours",
     }
 }
 
+TEST_CASE("every back end: the order of a matrix before serves the next, or is not taken",
+          "[conformance][backends]") {
+  const Placed before = block({fixed("left")});
+  const Index n = before.K.cols();
+  const Rows A = random_rows(3, n, 7);
+  for (const Backend& backend : chosen(backends()))
+    for (const Index far : {Index(1), n - 1}) {  // of one cell with the first unknown, and of none
+      Placed next = before;
+      next.K.coeffRef(0, far) = next.K.coeffRef(far, 0) = 0.1 * before.K.coeff(0, 0);
+      next.K.makeCompressed();
+      CAPTURE(backend.name, far);
+      Ledger ledger;
+      const Factor first = factored(backend, before, A, ledger);
+      Ledger again;
+      const Factor second = backend.factor(
+          {next.K, A, [&] { return next.positions; }, {}, {}, first.order()}, again);
+      const VectorXd u = factored(backend, next, A, ledger).solve(some_load(n));
+      CHECK((second.solve(some_load(n)) - u).norm() <= 1e-10 * u.norm());
+      if (!first.order().has_value()) continue;
+      CHECK(again.counted("ordering", "orders") == (far == 1 ? 0 : 1));
+    }
+  Ledger ledger;
+  CHECK(factored(reference(), before, A, ledger).order().has_value());
+}
+
 TEST_CASE("every back end: what it solves of a part is what it solves of all",
           "[conformance][backends]") {
   const Placed body = block({fixed("left")});

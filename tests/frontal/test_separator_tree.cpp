@@ -115,6 +115,30 @@ TEST_CASE("every unknown has one place, and the parts of a separator do not touc
   }
 }
 
+TEST_CASE("a tree serves another matrix unless an entry joins what a separator parts", "[tree]") {
+  Random random(5);
+  int kept = 0, lost = 0;
+  for (const Placed& placed : signorini_test::placed_matrices()) {
+    const int n = static_cast<int>(placed.K.cols());
+    const SeparatorTree tree = separator_tree(placed.K, placed.positions);
+    CAPTURE(placed.name, n);
+    CHECK(keeps_apart(tree, placed.K));
+    CHECK_FALSE(keeps_apart(tree, Matrix(n + 1, n + 1)));
+    for (int k = 0; k < (n > 0 ? 20 : 0); ++k) {
+      Matrix other = placed.K;
+      const int i = random.whole(0, n - 1);
+      const int j = random.whole(0, n - 1);
+      other.coeffRef(i, j) = other.coeffRef(j, i) = 1;
+      other.makeCompressed();
+      const bool apart = joined_parts(other, tree) == 0;
+      CHECK(keeps_apart(tree, other) == apart);
+      (apart ? kept : lost) += 1;
+    }
+  }
+  CHECK(kept > 20);
+  CHECK(lost > 20);
+}
+
 TEST_CASE("units and the origin do not change the tree", "[tree]") {
   const Mesh mesh = signorini_test::block_for(q8(), {4, 2}, 16, 8);
   const Placed body = signorini_test::stiffness("block", mesh, q8(), {fixed("left")});

@@ -305,6 +305,24 @@ TEST_CASE("bodies that are carried 1e4 of their sizes keep their forces",
   }
 }
 
+TEST_CASE("the tangents of a step hardly differ in pattern, and share an order of elimination",
+          "[motion]") {
+  long long tangents = 0, orders = 0;
+  const PathEnd end = solve_steps(rubbing("neo_hooke", 0), [&](const Model&, const Step& step) {
+    long long own = 0;
+    for (const LedgerEntry& entry : step.solution.ledger.entries())
+      for (const auto& [name, count] : entry.counts) {
+        if (name == "tangents tried") tangents += count;
+        if (name == "orders") own += count;
+      }
+    CHECK(own >= 1);  // or a step from a state would have another order
+    orders += own;
+  });
+  REQUIRE(end.status == SolveStatus::Solved);
+  CAPTURE(tangents, orders);
+  CHECK(2 * orders <= tangents);
+}
+
 TEST_CASE("a path of finite strain goes on from a state to the same bits", "[motion]") {
   const Scene scene = rubbing("neo_hooke", 0);
   const Walked run = walked(scene);

@@ -7,13 +7,22 @@
 namespace signorini {
 namespace {
 
+using Tree = std::shared_ptr<const SeparatorTree>;
+
+/// A tree serves every matrix whose parts it keeps apart.
+Tree order_of(const Stiffness& K, Ledger& ledger) {
+  const Ledger::Phase ordering(ledger, "ordering");
+  if (const Tree* before = std::any_cast<Tree>(&K.order))
+    if (keeps_apart(**before, K.matrix)) return *before;
+  ledger.count("orders", 1);
+  return std::make_shared<const SeparatorTree>(
+      separator_tree(K.matrix, K.positions ? K.positions() : Positions{}));
+}
+
 Factor factored(const Stiffness& K, Ledger& ledger) {
-  const SeparatorTree tree = [&] {
-    const Ledger::Phase ordering(ledger, "ordering");
-    return separator_tree(K.matrix, K.positions ? K.positions() : Positions{});
-  }();
+  const Tree tree = order_of(K, ledger);
   const auto factor =
-      std::make_shared<const FrontalFactor>(K.matrix, tree, ledger, K.describe, K.grounded);
+      std::make_shared<const FrontalFactor>(K.matrix, *tree, ledger, K.describe, K.grounded);
   return {[factor](const Eigen::Ref<const Eigen::VectorXd>& load) { return factor->solve(load); },
           [factor](const Factor::Rows& A, Ledger& counts) { return factor->compliance(A, counts); },
           {factor->size(), factor->nonzeros(), factor->operations(), factor->solve_operations()},
@@ -23,7 +32,8 @@ Factor factored(const Stiffness& K, Ledger& ledger) {
                                   return factor->solve(part, load);
                                 },
                                 part.solve_operations};
-          }};
+          },
+          tree};
 }
 
 }  // namespace

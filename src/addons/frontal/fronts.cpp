@@ -68,6 +68,33 @@ Fronts fronts_of(const Matrix& matrix, const SeparatorTree& tree) {
   return fronts;
 }
 
+/// What a separator parts, with the separator itself, is one run of the order. An entry of an unknown is with one of its own
+/// run, or with a later one, whose run then has it.
+bool keeps_apart(const SeparatorTree& tree, const Matrix& matrix) {
+  const std::size_t n = tree.order.size();
+  if (static_cast<std::size_t>(matrix.cols()) != n) return false;
+  std::vector<int> place(n);
+  std::vector<int> begin(n);  // of the run of the separator that eliminates what is at a place
+  std::vector<int> run;       // its begin, of each separator
+  for (const Separator& separator : tree.separators) {
+    run.push_back(separator.first);
+    for (const int below : separator.below)
+      if (below >= 0) run.back() = std::min(run.back(), run[at(below)]);
+    for (int k = separator.first; k < separator.first + separator.own; ++k) {
+      place[at(tree.order[at(k)])] = k;
+      begin[at(k)] = run.back();
+    }
+  }
+  for (Index column = 0; column < matrix.cols(); ++column) {
+    const int to = place[at(static_cast<int>(column))];
+    for (Matrix::InnerIterator entry(matrix, column); entry; ++entry) {
+      const int from = place[at(static_cast<int>(entry.row()))];
+      if (from < to && from < begin[at(to)]) return false;
+    }
+  }
+  return true;
+}
+
 int Fronts::front_at(int position) const {
   const auto found = std::upper_bound(
       all.begin(), all.end(), position,

@@ -65,6 +65,13 @@ struct Fronts {
 [[nodiscard]] Fronts fronts_of(const Eigen::SparseMatrix<double>& matrix,
                                const SeparatorTree& tree);
 
+/// Whether a tree that was made for another matrix is an order for this one: no entry joins what a separator parts.
+/// \param tree    separator_tree() of a matrix
+/// \param matrix  `n x n`, symmetric pattern, both triangles
+/// \return false also if the matrix has another number of unknowns
+[[nodiscard]] bool keeps_apart(const SeparatorTree& tree,
+                               const Eigen::SparseMatrix<double>& matrix);
+
 /// How rows of A go up the fronts.
 struct RowPaths {
   std::vector<std::vector<int>>

@@ -189,14 +189,16 @@ void scale_map(const MeanVolume& mean, std::size_t q, const Components& piola, P
   at.G += F * g.transpose();
 }
 
-/// \f$ w G^T P \f$ and \f$ w G^T A G \f$ of a point, with the number of unknowns as a constant, so that products are unrolled.
+/// \f$ w G^T P \f$ and \f$ w G^T A G \f$ of a point, with the number of unknowns as a constant, so that products are
+/// unrolled: lazily, or Eigen takes those of eight unknowns for large ones.
 template <int n>
 void add_point(const Place& at, const StressResponse& response, CellAnswer& answer) {
   const Eigen::Map<const Eigen::Matrix<double, 5, n>> G(at.G.data());
-  const Eigen::Matrix<double, 5, n> pushed = at.volume * (response.tangent * G);
+  const Eigen::Matrix<double, 5, n> pushed = at.volume * response.tangent.lazyProduct(G);
   Eigen::Map<Eigen::Matrix<double, n, 1>>(answer.force.data()) +=
       at.volume * (G.transpose() * response.piola);
-  Eigen::Map<Eigen::Matrix<double, n, n>>(answer.tangent.data()) += G.transpose() * pushed;
+  Eigen::Map<Eigen::Matrix<double, n, n>>(answer.tangent.data()) +=
+      G.transpose().lazyProduct(pushed);
 }
 
 void add_point(const Place& at, const StressResponse& response, CellAnswer& answer) {

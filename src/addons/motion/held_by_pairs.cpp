@@ -32,13 +32,11 @@ std::vector<Index> held_rows(const std::vector<ContactStatus>& statuses, const F
   return rows;
 }
 
-void hold_by_pairs(const std::vector<Index>& rows, double stiffness,
-                   QuadraticProgramme& programme) {
-  if (rows.empty() || stiffness == 0) return;
+Eigen::SparseMatrix<double> hold_by_pairs(const std::vector<Index>& rows, double stiffness,
+                                          QuadraticProgramme& programme) {
   const NodalRows held = selected_rows(programme.A, rows);
-  const Eigen::SparseMatrix<double> hold = stiffness * (held.transpose() * held);
-  programme.stiffness = (programme.stiffness + hold).eval();
   programme.load += stiffness * (held.transpose() * programme.initial_gap(rows));
+  return stiffness * (held.transpose() * held);
 }
 
 void hold_by_springs(double stiffness, QuadraticProgramme& programme) {

@@ -20,13 +20,15 @@ namespace signorini {
 [[nodiscard]] std::vector<Eigen::Index> held_rows(const std::vector<ContactStatus>& statuses,
                                                   const FrictionLaw& law);
 
-/// Adds \f$ \rho A_c^T A_c \f$ to K and \f$ \rho A_c^T g_c \f$ to p. Where rows c hold, \f$ A_c u = g_c \f$, neither u nor the
+/// Makes \f$ \rho A_c^T A_c \f$, which belongs to K, and adds \f$ \rho A_c^T g_c \f$ to p. Where rows c hold, \f$ A_c u = g_c \f$, neither u nor the
 /// forces change by it. Where one of them is about to open it resists a little, as a spring that is at rest where it holds.
 /// \param rows       c, that should hold
 /// \param stiffness  rho >= 0 [force/length]
-/// \param[in,out] programme  with K, p, A, g
-void hold_by_pairs(const std::vector<Eigen::Index>& rows, double stiffness,
-                   QuadraticProgramme& programme);
+/// \param[in,out] programme  with p, A, g
+/// \return `n x n` to add to K [force/length]
+[[nodiscard]] Eigen::SparseMatrix<double> hold_by_pairs(const std::vector<Eigen::Index>& rows,
+                                                        double stiffness,
+                                                        QuadraticProgramme& programme);
 
 /// Adds a spring to every unknown, at rest where u = 0: a step of Newton's method goes less far then, and to the same end.
 /// \param stiffness  >= 0 [force/length]

@@ -48,10 +48,11 @@ constexpr std::array<Rung, 8> ladder = {{{true, 40, 0},
 constexpr std::size_t last_turning = 2;  // later rungs slow the loop: no iteration begins with them
 constexpr Rung weak = {false, 40, 1e-6};
 
-/// K less what turning contact forces add to it.
-void turn_forces(const TangentProblem& problem, QuadraticProgramme& programme) {
+/// What turning contact forces take from K.
+Eigen::SparseMatrix<double> turned_by(const TangentProblem& problem) {
   const Model& model = problem.model;
-  if (problem.turning.size() == 0) return;
+  Eigen::SparseMatrix<double> turn(model.unknowns.count, model.unknowns.count);
+  if (problem.turning.size() == 0) return turn;
   NodeArray places = model.standing->displacement;
   for (const BodyModel& body : model.bodies)
     places.middleRows(body.first_node, body.mesh.n_nodes()) += body.mesh.nodes;
@@ -65,10 +66,17 @@ void turn_forces(const TangentProblem& problem, QuadraticProgramme& programme) {
     for (Eigen::SparseMatrix<double>::InnerIterator it(all, column); it; ++it)
       if (unknown(it.row()) >= 0 && unknown(column) >= 0)
         entries.emplace_back(unknown(it.row()), unknown(column), it.value());
-  Eigen::SparseMatrix<double> turn(model.unknowns.count, model.unknowns.count);
   turn.setFromTriplets(entries.begin(), entries.end());
-  programme.stiffness = (programme.stiffness - turn).eval();
+  return turn;
 }
+
+/// Of an iteration, before a rung adds to it.
+struct Tangent {
+  Eigen::SparseMatrix<double> stiffness;
+  VectorXd load;
+  Eigen::SparseMatrix<double> turn;  ///< what turning contact forces take from `stiffness`
+  double mean;                       ///< stiffness
+};
 
 /// Rigid motions are those of K before strain, and of no other: without them as long as this lives.
 class WithoutModes {
@@ -86,19 +94,23 @@ class WithoutModes {
 };
 
 /// One try. \return nothing if K has no factor
-std::optional<Solution> try_rung(const Rung& rung, const QuadraticProgramme& before,
+std::optional<Solution> try_rung(const Rung& rung, const Tangent& tangent,
                                  const TangentProblem& problem, Condensed& condensed,
                                  Ledger& ledger) {
   Model& model = problem.model;
-  const double mean = mean_stiffness(before);
-  if (rung.turns) turn_forces(problem, model.programme);
-  hold_by_pairs(problem.held, rung.pairs * mean, model.programme);
-  hold_by_springs(rung.springs * mean, model.programme);
+  QuadraticProgramme& programme = model.programme;
+  programme.load = tangent.load;
+  Eigen::SparseMatrix<double> more =
+      hold_by_pairs(problem.held, rung.pairs * tangent.mean, programme);
+  if (rung.turns) more -= tangent.turn;
+  programme.stiffness = tangent.stiffness + more;
+  hold_by_springs(rung.springs * tangent.mean, programme);
   const WithoutModes without(model);
   std::optional<Solution> solution;
   ledger.count("tangents tried", 1);
   try {
     condensed = condense(model, ledger);
+    model.order = condensed.factor.order();  // patterns of a step hardly differ
     ledger.count("factors", 1);
     solution.emplace();
   } catch (const ProblemError&) {
@@ -108,8 +120,6 @@ std::optional<Solution> try_rung(const Rung& rung, const QuadraticProgramme& bef
     *solution = solve(model, condensed, model.solver, std::exchange(ledger, {}), problem.options);
     ledger = std::move(solution->ledger);
   }
-  model.programme.stiffness = before.stiffness;
-  model.programme.load = before.load;
   return solution;
 }
 
@@ -151,18 +161,20 @@ Solution solve_with_one_factor(const Model& model, VectorXd free, const SolverOp
 
 Solution solve_with_tangent(const TangentProblem& problem, Condensed& condensed, Ledger ledger,
                             bool& bounded) {
-  const QuadraticProgramme before = problem.model.programme;
+  QuadraticProgramme& programme = problem.model.programme;
+  Tangent tangent{{}, programme.load, turned_by(problem), mean_stiffness(programme)};
+  tangent.stiffness.swap(programme.stiffness);
   std::optional<Solution> solution;
   bounded = false;
   const std::size_t first = problem.rung > last_turning ? 0 : problem.rung;
   for (std::size_t k = first; k < ladder.size(); ++k) {
-    solution = try_rung(ladder[k], before, problem, condensed, ledger);
+    solution = try_rung(ladder[k], tangent, problem, condensed, ledger);
     problem.rung = k;
     if (solution) break;
   }
   const bool flies = solution && solution->contact.unbounded_direction.size() > 0;
   if (!solution || (flies && problem.held.empty())) {
-    std::optional<Solution> small = try_rung(weak, before, problem, condensed, ledger);
+    std::optional<Solution> small = try_rung(weak, tangent, problem, condensed, ledger);
     bounded = small && small->contact.report.status == SolveStatus::Solved;
     if (bounded || !solution) solution = std::move(small);
   }
@@ -174,6 +186,8 @@ Solution solve_with_tangent(const TangentProblem& problem, Condensed& condensed,
              "stability, where ", most_shortened(problem.model),
              ". Take shorter steps, hold the body, or a law that resists at such a strain");
   }
+  programme.stiffness.swap(tangent.stiffness);
+  programme.load.swap(tangent.load);
   solution->ledger = std::move(ledger);
   return *std::move(solution);
 }

@@ -55,11 +55,10 @@ void LinearisedModel::move(const Displaced& there, KeptPoints* points, Ledger& l
   QuadraticProgramme& programme = model_.programme;
   const NodeArray left = left_to_give(model_.unknowns, there);
   const bool rest = there.high.isZero(0) && there.low.isZero(0);
-  Eigen::SparseMatrix<double> tangent;
   BodyAnswer answer;
   if (!rest) {
     const Ledger::Phase phase(ledger, "forces");
-    answer = bodies_.at(model_, there, left, finite() ? &tangent : nullptr);
+    answer = bodies_.at(model_, there, left, finite() ? &tangent_ : nullptr);
   }
   {
     const Ledger::Phase phase(ledger, "pairs");
@@ -68,7 +67,7 @@ void LinearisedModel::move(const Displaced& there, KeptPoints* points, Ledger& l
   }
   at_ = there;
   if (rest) return;
-  if (finite()) programme.stiffness.swap(tangent);
+  if (finite()) programme.stiffness.swap(tangent_);
   programme.load = outer_ - answer.force - answer.ahead;
   programme.reached = {moved_within(model_, at_), std::move(answer.terms)};
 }
@@ -122,6 +121,7 @@ void LinearisedModel::conclude(Solution& solution) const {
 
 void LinearisedModel::restore() const {
   model_.programme.stiffness = stiffness_;
+  model_.order.reset();  // a step that is read from a file has none either
   model_.programme.reached = {};
 }
 

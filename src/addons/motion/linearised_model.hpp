@@ -38,7 +38,7 @@ class LinearisedModel {
   /// \param[in,out] solution  that is certified here
   void conclude(Solution& solution) const;
 
-  /// Gives the model the K of its bodies before strain.
+  /// Gives the model the K of its bodies before strain, and no order of elimination.
   void restore() const;
 
   /// \return whether bodies are where the scene has them
@@ -54,6 +54,7 @@ class LinearisedModel {
   Model& model_;
   BodyAnswers bodies_;
   Eigen::SparseMatrix<double> stiffness_;  // before strain
+  Eigen::SparseMatrix<double> tangent_;    // of the place before, for its memory
   Eigen::VectorXd load_;                   // of the scene
   Eigen::VectorXd outer_;
   Displaced at_;

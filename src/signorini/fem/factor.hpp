@@ -5,6 +5,7 @@
 /// was added is the default of every scene.
 #pragma once
 #include <Eigen/SparseCore>
+#include <any>
 #include <functional>
 #include <optional>
 #include <string>
@@ -28,6 +29,8 @@ struct Stiffness {
   std::function<std::string(Eigen::Index)> describe = {};
   /// Unknowns, each once, that a spring as stiff as their diagonal entry holds besides.
   std::vector<Eigen::Index> grounded = {};
+  /// Factor::order() of a matrix before this one, of whatever pattern; empty: there is none, or it is not to be taken.
+  std::any order = {};
 };
 
 /// A factor of K, whoever made it: the two operations that the rest of the library knows.
@@ -59,11 +62,14 @@ class Factor {
   /// \param compliance  A K^-1 A^T
   /// \param size        what it takes
   /// \param parts       solves of a part alone; empty if the back end has none
-  Factor(Solve solve, Compliance compliance, const Size& size, Parts parts = {})
+  /// \param order       see order(); empty if the back end finds it anew each time
+  Factor(Solve solve, Compliance compliance, const Size& size, Parts parts = {},
+         std::any order = {})
       : solve_(std::move(solve)),
         compliance_(std::move(compliance)),
         size_(size),
-        parts_(std::move(parts)) {}
+        parts_(std::move(parts)),
+        order_(std::move(order)) {}
 
   /// Solves K u = p.
   /// \param load  `n` p [force]
@@ -83,6 +89,8 @@ class Factor {
   /// \throws std::invalid_argument if A does not have one column per unknown
   [[nodiscard]] Eigen::MatrixXd compliance(const Rows& A, Ledger& ledger) const;
 
+  /// \return the order of elimination as the back end knows it: it may serve the next matrix, see Stiffness
+  [[nodiscard]] const std::any& order() const { return order_; }
   /// \return number of unknowns n
   [[nodiscard]] Eigen::Index size() const { return size_.unknowns; }
   /// \return entries of L with the diagonal, also those that are zero in a front
@@ -97,6 +105,7 @@ class Factor {
   Compliance compliance_;
   Size size_;
   Parts parts_;
+  std::any order_;
 };
 
 struct Team;

@@ -93,6 +93,7 @@ struct Plan {
   Path path = {};                            ///< load steps, none without
   std::vector<LoadPart> parts = {};     ///< one for each history; p and g are their sum times these
   Backend backend = default_backend();  ///< of the scene, factors K
+  std::any order = {};  ///< for the back end to begin with, see Stiffness; empty: it finds its own
   std::shared_ptr<const StepLoop> loop = {};  ///< of bodies that move; null: a step is one problem
   std::shared_ptr<const Standing> standing = {};  ///< null: bodies are where the scene has them
 };
