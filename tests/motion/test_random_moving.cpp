@@ -20,9 +20,10 @@ TEST_CASE("random bodies that move are never silently wrong, and mostly solved",
     const Trial trial = try_scene(seed, RandomScenes::Moving);
     CAPTURE(seed, trial.text);
     CHECK_FALSE(is_fault(trial.outcome));
-    if (trial.outcome != Outcome::Solved) ++unsolved;
+    const bool refused = trial.outcome == Outcome::Refused || trial.outcome == Outcome::Turned;
+    if (trial.outcome != Outcome::Solved && !refused) ++unsolved;
   }
-  CHECK(unsolved <= 4);
+  CHECK(unsolved <= 2);  // of a thousand 18, of which 5 are jumps of cohesion
 }
 
 TEST_CASE("that check notices forces, strains and places that are a little off",

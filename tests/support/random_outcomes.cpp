@@ -39,8 +39,9 @@ Outcome ending(const Solution& solution) {
     case SolveStatus::Feasible:
     case SolveStatus::Breakdown:
     case SolveStatus::SlidTooFar:
-    case SolveStatus::TurnedTooFar:
       break;
+    case SolveStatus::TurnedTooFar:
+      return Outcome::Turned;
   }
   return Outcome::Breakdown;
 }

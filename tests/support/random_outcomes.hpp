@@ -22,15 +22,16 @@ enum class Outcome {
   Jump,
   Limit,
   Breakdown,
+  Turned,    ///< small strain does not hold, as a body has turned: refused at that step, with the law that would
   Threw,     ///< an error that is not ProblemError
   Accepted,  ///< what no scene may have is in it, and nothing says so
   Disputed,  ///< solved and right, but another method finds another solution where there is one only
   Wrong      ///< solved, says the library, but a law is broken by more than `most_error`
 };
-inline constexpr std::size_t n_outcomes = 15;
+inline constexpr std::size_t n_outcomes = 16;
 inline constexpr std::array<const char*, n_outcomes> outcome_names = {
     "solved", "hovers", "unsaid",    "refused", "unclear",  "escaped",  "infeasible", "ray",
-    "jump",   "limit",  "breakdown", "threw",   "accepted", "disputed", "wrong"};
+    "jump",   "limit",  "breakdown", "turned", "threw",   "accepted", "disputed", "wrong"};
 
 /// \return whether no scene may end like this
 inline bool is_fault(Outcome outcome) {
