@@ -5,6 +5,7 @@
 #   check   a browser that opens every page
 #   live    a compiler for browsers, for make engine
 #   print   the same browser, the letters of figures and Chinese words, where words break, and what looks at pages, for make book-pdf
+#   readers what reads our files: VTK and meshio, for a test
 #   strict  the second compiler of the stricter presets
 #   peers   other people's programs and libraries, for make peers and make bench
 #   parallel  other factors: CHOLMOD, and MUMPS with MPI
@@ -15,6 +16,7 @@ book="doxygen python3"
 check="chromium python3 fonts-dejavu-core"
 print="$check fonts-wqy-microhei hyphen-en-gb poppler-utils"
 live="emscripten"
+readers="python3-vtk9 python3-meshio"
 strict="clang"
 peers="calculix-ccx python3-getfem r-cran-quadprog libsiconos-numerics-dev libsuitesparse-dev libmumps-seq-dev libopenblas-dev python3-cvxopt"
 parallel="libsuitesparse-dev libmumps-dev libopenmpi-dev openmpi-bin"
@@ -27,10 +29,11 @@ for group in "$@"; do
     check) wanted="$wanted $check" ;;
     live) wanted="$wanted $live" ;;
     print) wanted="$wanted $print" ;;
+    readers) wanted="$wanted $readers" ;;
     strict) wanted="$wanted $strict" ;;
     peers) wanted="$wanted $peers" ;;
     parallel) wanted="$wanted $parallel" ;;
-    *) echo "setup.sh: unknown group '$group', expected build, book, check, live, print, strict, parallel or peers" >&2; exit 2 ;;
+    *) echo "setup.sh: unknown group '$group', expected build, book, check, live, print, readers, strict, parallel or peers" >&2; exit 2 ;;
     esac
 done
 

@@ -19,7 +19,6 @@ using signorini_test::array_of;
 using signorini_test::content_of;
 using signorini_test::Folder;
 using signorini_test::is_balanced;
-using signorini_test::lines_in;
 
 namespace {
 
@@ -156,15 +155,18 @@ TEST_CASE("a VTU file of a body of revolution has its hoop stress", "[vtu][axial
   const std::vector<std::string> stress =
       array_of(content_of(folder.path() / "cylinders.vtu"), "cell_stress");
   const std::string file = content_of(folder.path() / "cylinders.vtu");
-  CHECK(array_of(file, "body") == std::vector<std::string>{"0", "0"});
-  CHECK(array_of(file.substr(file.rfind("<Piece")), "body") == std::vector<std::string>{"1", "1"});
-  CHECK_THAT(file, ContainsSubstring("Name=\"bodies\" NumberOfTuples=\"2\""));
+  CHECK(array_of(file, "body") == std::vector<std::string>{"0", "0", "1", "1"});
+  CHECK(array_of(file, "body 1: " + run.model.bodies[1].mesh.name) == std::vector<std::string>{"1"});
+  CHECK_THAT(file, ContainsSubstring("ComponentName2=\"xy\" ComponentName3=\"zz\""));
   // The upper one is the source: it has the pairs, at its lower three nodes.
   using Words = std::vector<std::string>;
-  CHECK(array_of(file, "contact_status") == Words(6, "-1"));
-  const Words upper = array_of(file.substr(file.rfind("<Piece")), "contact_status");
-  CHECK(upper == Words{"1", "1", "1", "-1", "-1", "-1"});
-  REQUIRE(stress.size() == 4 * 2);
+  CHECK(array_of(file, "contact_status") ==
+        Words{"-1", "-1", "-1", "-1", "-1", "-1", "1", "1", "1", "-1", "-1", "-1"});
+  const Words corners = array_of(file, "connectivity");
+  REQUIRE(corners.size() == 16);
+  CHECK(std::all_of(corners.begin() + 8, corners.end(), [](const std::string& c) { return std::stoi(c) >= 6; }));
+  CHECK(array_of(file, "offsets") == Words{"4", "8", "12", "16"});
+  REQUIRE(stress.size() == 4 * 4);
   const double exact[] = {-2, -5, 0, -2};
   for (std::size_t k = 0; k < stress.size(); ++k)
     CHECK(std::stod(stress[k]) == Approx(exact[k % 4]).epsilon(1e-8).margin(1e-8));
@@ -183,21 +185,23 @@ TEST_CASE("pairs at Gauss points belong to no node, and no node of a VTU file sa
   const Folder folder;
   write_vtu(folder.path() / "blocks.vtu", run.model, run.solution);
   const std::string file = content_of(folder.path() / "blocks.vtu");
-  CHECK(array_of(file, "contact_pressure") == std::vector<std::string>(6, "0"));
-  CHECK(array_of(file, "contact_gap") == std::vector<std::string>(6, "0"));
-  CHECK(array_of(file, "contact_status") == std::vector<std::string>(6, "-1"));
+  CHECK(array_of(file, "contact_pressure") == std::vector<std::string>(12, "0"));
+  CHECK(array_of(file, "contact_gap") == std::vector<std::string>(12, "0"));
+  CHECK(array_of(file, "contact_status") == std::vector<std::string>(12, "-1"));
 }
 
-TEST_CASE("the notes of a solution go with its VTU file, and none are no field", "[vtu]") {
+TEST_CASE("the notes of a solution are comments of its VTU file", "[vtu]") {
   const Folder folder;
   Solved run = solved("q4");
   write_vtu(folder.path() / "none.vtu", run.model, run.solution);
-  CHECK(content_of(folder.path() / "none.vtu").find("FieldData") == std::string::npos);
-  run.solution.notes = {"a < b & c", "two"};
+  CHECK(content_of(folder.path() / "none.vtu").find("<!--") == std::string::npos);
+  run.solution.notes = {"a < b & c", "two -- three---four"};
   write_vtu(folder.path() / "notes.vtu", run.model, run.solution);
   const std::string file = content_of(folder.path() / "notes.vtu");
   CHECK(is_balanced(file));
-  CHECK(lines_in(file, "notes") == "a < b & c|two|");
+  CHECK_THAT(file, ContainsSubstring("<!-- note: a < b & c -->\n") &&
+                       ContainsSubstring("<!-- note: two - - three- - -four -->\n"));
+  CHECK(file.find("FieldData") == std::string::npos);
 }
 
 TEST_CASE("nothing is written of a problem that is not solved, or where nobody can write",

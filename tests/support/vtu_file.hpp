@@ -25,6 +25,11 @@ inline bool is_balanced(const std::string& file) {
     if (end == std::string::npos) return false;
     const std::string tag = file.substr(at + 1, end - at - 1);
     if (tag[0] == '?') continue;
+    if (tag.rfind("!--", 0) == 0) {
+      at = file.find("-->", at);
+      if (at == std::string::npos) return false;
+      continue;
+    }
     if (tag[0] == '/') {
       if (open.empty() || open.back() != tag.substr(1)) return false;
       open.pop_back();
@@ -33,14 +38,6 @@ inline bool is_balanced(const std::string& file) {
     }
   }
   return open.empty();
-}
-
-/// The lines of an array of texts, each with a bar behind it.
-inline std::string lines_in(const std::string& file, const std::string& name) {
-  std::string lines;
-  for (const std::string& word : array_of(file, name))
-    lines += word == "0" ? '|' : static_cast<char>(std::stoi(word));
-  return lines;
 }
 
 }  // namespace signorini_test

@@ -12,45 +12,21 @@
 
 #include <charconv>
 #include <iomanip>
-#include <iterator>
 #include <sstream>
 #include <utility>
 
 #include "signorini/report/results.hpp"
+#include "signorini/report/xml.hpp"
 
 namespace signorini {
 namespace {
 
-/// Characters that XML has for itself, and what stands for them.
-constexpr std::pair<char, const char*> entities[] = {
-    {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}};
-
-// A text between quotation marks of XML.
-// The name of a file may hold a quote or an ampersand, which mean something else in XML.
-std::string in_xml(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    std::string word(1, c);
-    for (const auto& [letter, entity] : entities)
-      if (c == letter) word = entity;
-    result += word;
-  }
-  return result;
-}
-
-// The value of an attribute of a tag, back from XML; empty without it.
-// To undo it, the ampersand has to come last: otherwise one that was followed by `lt;` would end as
-// a bracket.
+// The value of an attribute of a tag; empty without it.
 std::string attribute(const std::string& tag, const std::string& name) {
   const std::size_t at = tag.find(' ' + name + "=\"");
   if (at == std::string::npos) return {};
   const std::size_t begin = at + name.size() + 3;
-  std::string value = tag.substr(begin, tag.find('"', begin) - begin);
-  for (std::size_t k = std::size(entities); k-- > 0;)
-    for (std::size_t from = 0; (from = value.find(entities[k].second, from)) != std::string::npos;
-         ++from)
-      value.replace(from, std::char_traits<char>::length(entities[k].second), 1, entities[k].first);
-  return value;
+  return from_xml(tag.substr(begin, tag.find('"', begin) - begin));
 }
 
 }  // namespace

@@ -10,19 +10,20 @@
 
 namespace signorini {
 
-/// Writes mesh, displacements, stresses and contact quantities of a solution, one piece per body,
+/// Writes mesh, displacements, stresses and contact quantities of a solution, all bodies in one piece,
 /// with 9 digits.
 ///
 /// Point data: `displacement` [length], `stress` (xx, yy, xy, zz: across the plane, in axial symmetry the hoop
 /// stress) and `von_mises` [force/length^2, tension positive]; at the nodes of the sources, and 0 everywhere else,
 /// `contact_pressure` [force/length^2, compression positive], `contact_gap` [length] and the vector `contact_traction`
 /// on the source [force/length^2], friction included; `contact_status` (1 closed, 0 open, -1 no pair). Cell data:
-/// `cell_stress`. Field data: `notes` of the solution, if it has any.
+/// `cell_stress`, and with several bodies `body`, from 0, whose names are those of arrays of the field data, as `body 0: lower`.
+/// Notes of the solution are comments in front.
 ///
 /// With friction also, as in pair_columns(): `contact_shear_traction` [force/length^2], `contact_slip` and, with totals,
 /// `contact_slip_total` [length], all 0 where no pair has friction, and `contact_motion` (0 open, 1 stick, 2 forward, 3 backward,
-/// -1 no frictional pair). With several contacts: `contact_number`, from 0, -1 without a pair, and the field data
-/// `contacts`, their names in this order. A node with pairs of several contacts shows that with the largest force. Pairs at
+/// -1 no frictional pair). With several contacts: `contact_number`, from 0, -1 without a pair, and field data
+/// named as `contact 0: block.left on floor`. A node with pairs of several contacts shows that with the largest force. Pairs at
 /// Gauss points belong to no node and are not shown; a table has them, see pressure_csv().
 /// \param file      to be written, in a folder that exists
 /// \param model     that was solved
