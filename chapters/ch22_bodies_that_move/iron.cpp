@@ -10,6 +10,7 @@
 #include "addons/motion/register.hpp"
 #include "addons/steps/steps.hpp"
 #include "papers/field_csv.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/fem/block.hpp"
 #include "signorini/fem/reshape.hpp"
@@ -84,6 +85,9 @@ SolveStatus chapter(const ProgramOptions& run) {
     if (done == 8 || done == 38 || done == 68) frame(run, int(done) / 30, model, step.solution);
     if (done == 38) results.add("press", force.y(), "-");
     if (done == 38) results.add("drag", -force.x(), "-");
+    if (done == 38) results.add("drag_over_press", -force.x() / force.y(), "-");
+    if (done == 38)  // all of the contact slides: each force leans by atan(mu) from its normal
+      results.add("lean", (std::atan2(-force.x(), force.y()) - std::atan(0.3)) * 180 / pi, "degrees");
   });
   std::cout << table.markdown();
   write_file(run.out / "iron.md", table.markdown());

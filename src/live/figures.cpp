@@ -16,7 +16,8 @@
   FIGURE(friction)                     \
   FIGURE(work_precision)               \
   FIGURE(hard)                         \
-  FIGURE(effects)
+  FIGURE(effects)                      \
+  FIGURE(die)
 
 #include "live/figure.hpp"
 

@@ -22,6 +22,7 @@
 #include "addons/motion/curvature.hpp"
 #include "addons/motion/held_by_pairs.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/fem/strain_law.hpp"
 #include "signorini/scene/scene.hpp"
 
 namespace signorini {

@@ -1,7 +1,8 @@
 // # Files for viewers
 //
 // A viewer such as ParaView reads a mesh as arrays: points, the points of each cell, and numbers at
-// points and at cells. A VTU file holds them as text:
+// points and at cells. A VTU file holds them as text, in digits
+// that anyone can look at, so that two files can be compared line by line:
 //
 //     <!-- note: ... -->
 //     <VTKFile type="UnstructuredGrid" ...>
@@ -21,21 +22,21 @@
 
 #include "signorini/report/vtu.hpp"
 
-#include <cmath>
 #include <iomanip>
 #include <sstream>
 #include <utility>
 
 #include "signorini/fem/stress.hpp"
-#include "signorini/report/pair_columns.hpp"
+#include "signorini/report/nodal_fields.hpp"
 #include "signorini/report/results.hpp"
 #include "signorini/report/xml.hpp"
+#include "signorini/scene/bodies.hpp"
 
 namespace signorini {
 namespace {
 
 using Eigen::Index;
-using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using Rows = FieldRows;
 
 // What an array holds, in the words of VTK.
 const char* const reals = "Float64";
@@ -60,6 +61,10 @@ void write_array(std::ostream& out, const char* name, const Rows& values, Index 
   out << "        </DataArray>\n";
 }
 
+// Two triangles and a quadrilateral, of the nodes 0 to 5, are
+//
+//     connectivity 0 1 2  0 2 3  1 4 5 2     offsets 3 6 10     types 5 5 9
+//
 // Cells of different sizes stand in one list. Offsets say where each ends, types what it is.
 // A triangle is of type 5, a quadrilateral of type 9; with nodes on their sides they are 22 and 23.
 void write_cells(std::ostream& out, const std::vector<BodyModel>& bodies) {
@@ -87,73 +92,6 @@ void write_cells(std::ostream& out, const std::vector<BodyModel>& bodies) {
   out << "      </Cells>\n";
 }
 
-// The pair that stands for each node of all bodies: of several at one node the first with the largest force; -1
-// without one.
-// Contact happens at pairs, a picture shows nodes. A node where several contacts meet can show only
-// one of them: the one with the largest force.
-std::vector<Index> pairs_at_nodes(const Model& model, const Solution& solution) {
-  std::vector<Index> found(static_cast<std::size_t>(model.unknowns.number.rows()), -1);
-  const Eigen::VectorXd& force = solution.contact.force;
-  for (Index pair = 0; pair < force.size(); ++pair) {
-    const Index node = model.pairs.node[static_cast<std::size_t>(pair)];
-    if (node < 0) continue;
-    Index& known = found[static_cast<std::size_t>(node)];
-    if (known < 0 || force(pair) > force(known)) known = pair;
-  }
-  return found;
-}
-
-/// What contact did at the nodes of all bodies.
-struct NodalField {
-  std::string name;
-  Rows values;
-  const char* type = reals;
-};
-
-// A field from values of the pairs; `other` where a node has no pair, or its pair no value.
-// Nodes without a pair show a number that means nothing happened: 0 for a pressure, -1 for a
-// status, where 0 means open.
-NodalField at_nodes(const std::string& name, const Rows& of_pairs, const std::vector<Index>& pairs,
-                    double other, const char* type = reals) {
-  NodalField field{
-      name, Rows::Constant(static_cast<Index>(pairs.size()), of_pairs.cols(), other), type};
-  for (std::size_t node = 0; node < pairs.size(); ++node)
-    if (pairs[node] >= 0 && !std::isnan(of_pairs(pairs[node], 0)))
-      field.values.row(static_cast<Index>(node)) = of_pairs.row(pairs[node]);
-  return field;
-}
-
-/// Pressure along the normals, shear traction along the tangents.
-// The traction on the source: pressure along the normal, which points out of the target, and shear
-// along the tangent \f$ (n_y, -n_x) \f$.
-// With friction \f$ \mu = 0 \f$ the shear is zero, and the arrows stand on the boundary at right
-// angles.
-Rows tractions(const Model& model, const Solution& solution) {
-  const Pairs& pairs = model.pairs;
-  Rows traction = solution.pressure.asDiagonal() * pairs.normal;
-  const Eigen::VectorXd shear = shear_tractions(model, solution);
-  traction.col(0) += shear.cwiseProduct(pairs.normal.col(1));
-  traction.col(1) -= shear.cwiseProduct(pairs.normal.col(0));
-  return traction;
-}
-
-// Which fields there are is decided by the columns of pairs: every column that has a name for
-// viewers becomes one.
-// The traction is a vector and no column, so it is added here.
-std::vector<NodalField> nodal_fields(const Model& model, const Solution& solution,
-                                     const std::vector<PairColumn>& columns) {
-  const std::vector<Index> pairs = pairs_at_nodes(model, solution);
-  std::vector<NodalField> fields;
-  for (const PairColumn& column : columns)
-    if (!column.field.empty())
-      fields.push_back(column.words.empty()
-                           ? at_nodes(column.field, column.values, pairs, 0)
-                           : at_nodes(column.field, column.values, pairs, -1, wholes));
-  if (solution.pressure.size() > 0)
-    fields.push_back(at_nodes("contact_traction", tractions(model, solution), pairs, 0));
-  return fields;
-}
-
 /// \param what  of which they are the names, "body" or "contact"
 // Arrays at points and cells hold numbers. So contacts and bodies are numbered in the fields, and
 // `body 0: lower` is the name of an array in front of the pieces, whose one entry is the number.
@@ -175,6 +113,7 @@ void write_field_data(std::ostream& out, const Model& model) {
   out << "    </FieldData>\n";
 }
 
+// Nodes of all bodies are numbered one after the other, and so are cells here.
 /// What all bodies have at their nodes and cells, one body after the other.
 struct Fields {
   Rows points, displacement, stress, mises;  // of nodes
@@ -182,13 +121,12 @@ struct Fields {
 };
 
 // Stresses come twice: the mean of each cell, and smoothed at the nodes, which looks better and
-// hides jumps.
+// hides jumps. Where two bodies meet each has nodes of its own, so that nothing is smoothed across a
+// contact.
 Fields fields_of(const Model& model, const Solution& solution) {
-  Index nodes = 0, cells = 0;
-  for (const BodyModel& body : model.bodies) {
-    nodes += body.mesh.n_nodes();
-    cells += body.mesh.n_cells();
-  }
+  const Index nodes = count_nodes(model.bodies);
+  Index cells = 0;
+  for (const BodyModel& body : model.bodies) cells += body.mesh.n_cells();
   Fields all{Rows(nodes, 2), Rows(nodes, 2), Rows(nodes, 4), Rows(nodes, 1),
              Rows(cells, 4), Rows(cells, 1)};
   Index first_cell = 0;
@@ -210,6 +148,8 @@ Fields fields_of(const Model& model, const Solution& solution) {
   return all;
 }
 
+// The order is that of the format: what is at points, what is in cells, then points and cells
+// themselves. The attribute `Vectors` names the field that a viewer moves the points by.
 void write_piece(std::ostream& out, const Model& model, const Fields& all,
                  const std::vector<NodalField>& contact) {
   out << "    <Piece NumberOfPoints=\"" << all.points.rows() << "\" NumberOfCells=\""
@@ -218,7 +158,8 @@ void write_piece(std::ostream& out, const Model& model, const Fields& all,
   write_array(out, "stress", all.stress, 4, reals, stress_parts);
   write_array(out, "von_mises", all.mises, 1);
   for (const NodalField& field : contact)
-    write_array(out, field.name.c_str(), field.values, field.values.cols() > 1 ? 3 : 1, field.type);
+    write_array(out, field.name.c_str(), field.values, field.values.cols() > 1 ? 3 : 1,
+                field.whole ? wholes : reals);
   out << "      </PointData>\n      <CellData>\n";
   write_array(out, "cell_stress", all.cell_stress, 4, reals, stress_parts);
   if (model.bodies.size() > 1) write_array(out, "body", all.body, 1, wholes);
@@ -234,11 +175,9 @@ void write_piece(std::ostream& out, const Model& model, const Fields& all,
 // Nine digits are more than a viewer shows, and keep the files small.
 void write_vtu(const std::filesystem::path& file, const Model& model, const Solution& solution,
                const std::optional<PathTotals>& totals) {
-  const std::vector<NodalField> contact =
-      nodal_fields(model, solution, pair_columns(model, solution, totals));
+  const std::vector<NodalField> contact = nodal_fields(model, solution, totals);
   std::ostringstream out;
-  out << std::setprecision(9);
-  out << "<?xml version=\"1.0\"?>\n";
+  out << std::setprecision(9) << "<?xml version=\"1.0\"?>\n";
   for (const std::string& note : solution.notes)
     out << "<!-- note: " << in_xml_comment(note) << " -->\n";
   out << "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "

@@ -61,8 +61,7 @@ Factor factor(const Model& model, Ledger& ledger) {
   const Ledger::Phase phase(ledger, "factor");
   const Stiffness K{
       model.programme.stiffness, model.programme.A, [&model] { return unknown_positions(model); },
-      [&model](Index unknown) { return describe_unknown(model, unknown); }, grounding(model.modes),
-      model.order};
+      [&model](Index unknown) { return describe_unknown(model, unknown); }, grounding(model.modes), model.order};
   return model.backend.factor(K, ledger);
 }
 
