@@ -207,6 +207,7 @@ class Check:
                 continue
             path, _, anchor = link.partition("#")
             path, anchor = urllib.parse.unquote(path), urllib.parse.unquote(anchor)
+            anchor = re.sub("^(live-[a-z_]+)&.*", r"\1", anchor)    # behind it stands the state of the figure
             path = os.path.normpath(os.path.join(os.path.dirname(page), path)) if path else page
             if not os.path.exists(os.path.join(self.folder, path)):
                 self.bad.add((page, "dead link: " + link))

@@ -5,6 +5,7 @@
 #include <system_error>
 #include <utility>
 
+#include "command_line/interruption.hpp"
 #include "signorini/core/errors.hpp"
 
 namespace command_line {
@@ -101,6 +102,7 @@ void Drafts::take_back() {
 }
 
 void Drafts::publish(const std::function<void()>& write) {
+  const Uninterrupted together;
   try {
     write();
   } catch (const ProblemError& error) {  // of a draft, which nobody has asked for by this name

@@ -176,26 +176,33 @@ std::string without_numbers(const std::string& note) {
   return kind;
 }
 
-/// How the command goes on after a path that ended too early.
-std::string way_on(const SceneRun& run) {
-  const PathState& state = run.end->state;
-  if (state.steps == 0) return "";
+/// The command that goes on from the state that is kept.
+std::string command_on(const SceneRun& run) {
   const Output& output = run.file.output;
-  if (output.state.empty())
-    return ". With --state FILE the next run can go on from there, by --from FILE";
-  const std::string time = shortest(state.time);
-  std::string values;
-  for (const History& history : run.file.scene.path->histories)
-    values += text(values.empty() ? ", where " : ", ", history.name, " = ",
-                   shortest(history.at(state.time)));
   std::string command =
       text("signorini solve ", run.file.name == standard_input ? "-" : run.file.name, " --from ",
            output.state, " --state ", output.state);
   if (!output.vtu.empty()) command += " --vtu " + output.vtu;
   if (!output.csv.empty()) command += " --csv " + output.csv;
   if (!output.plot.empty()) command += " --plot " + output.plot;
+  return command;
+}
+
+constexpr const char* keep_states =
+    ". With --state FILE the next run can go on from there, by --from FILE";
+
+/// How the command goes on after a path that ended too early.
+std::string way_on(const SceneRun& run) {
+  const PathState& state = run.end->state;
+  if (state.steps == 0) return "";
+  if (run.file.output.state.empty()) return keep_states;
+  const std::string time = shortest(state.time);
+  std::string values;
+  for (const History& history : run.file.scene.path->histories)
+    values += text(values.empty() ? ", where " : ", ", history.name, " = ",
+                   shortest(history.at(state.time)));
   return text(". To go on from there: change what comes after time ", time, values,
-              run.end->limit ? "" : ", or halvings", "; then: ", command);
+              run.end->limit ? "" : ", or halvings", "; then: ", command_on(run));
 }
 
 }  // namespace
@@ -278,6 +285,16 @@ void PathFiles::add(const Model& model, const Step& step) {
   });
   begun_ = !wanted_.csv.empty();
   table_.clear();
+}
+
+std::string PathFiles::left_after(const SceneRun& run, const PathState& state) const {
+  std::string files;
+  for (const std::string& file :
+       {wanted_.state, wanted_.csv, wanted_.vtu.empty() ? "" : collection(wanted_.vtu)})
+    if (!file.empty()) files += (files.empty() ? "" : ", ") + file;
+  return text(files.empty() ? "nothing was written" : files + " kept", " after step ", state.steps,
+              ", time ", shortest(state.time),
+              wanted_.state.empty() ? keep_states : ". To go on: " + command_on(run));
 }
 
 void PathFiles::finish(const SceneRun& run) {

@@ -17,6 +17,7 @@
 #include "command_line/man.hpp"
 #include "command_line/options.hpp"
 #include "command_line/outcome.hpp"
+#include "command_line/interruption.hpp"
 #include "command_line/path_run.hpp"
 #include "command_line/picture.hpp"
 #include "command_line/print.hpp"
@@ -141,6 +142,7 @@ int solve_path(const Request& request, const Team* team, command_line::SceneRun&
   command_line::PathTeller teller(std::cout, request.json, files.late());
   command_line::solve_scene(run, [&](const Model& model, const Step& step) {
     files.add(model, step);
+    command_line::keep_in_mind(files.left_after(run, step.state));
     teller.tell(run, model, step);
   });
   if (run.solution) command_line::count_members(team, run.processes);
@@ -319,6 +321,7 @@ int main(int argc, char** argv) {
 #ifdef __GLIBC__
   mallopt(M_MMAP_THRESHOLD, 1 << 20);  // so that what a phase frees goes back to the system
 #endif
+  command_line::answer_interruptions();
   std::function<void(int)> end;
   const int code = guarded_run(argc, argv, end);
   if (end) end(code);

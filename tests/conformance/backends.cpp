@@ -119,12 +119,13 @@ TEST_CASE("every back end: the order of a matrix before serves the next, or is n
       CAPTURE(backend.name, far);
       Ledger ledger;
       const Factor first = factored(backend, before, A, ledger);
-      Ledger again;
-      const Factor second = backend.factor(
-          {next.K, A, [&] { return next.positions; }, {}, {}, first.order()}, again);
+      const std::any order = first.order();
       const VectorXd u = factored(backend, next, A, ledger).solve(some_load(n));
+      Ledger again;  // its factor is the last one: of some back ends only that one lives
+      const Factor second =
+          backend.factor({next.K, A, [&] { return next.positions; }, {}, {}, order}, again);
       CHECK((second.solve(some_load(n)) - u).norm() <= 1e-10 * u.norm());
-      if (!first.order().has_value()) continue;
+      if (!order.has_value()) continue;
       CHECK(again.counted("ordering", "orders") == (far == 1 ? 0 : 1));
     }
   Ledger ledger;

@@ -22,7 +22,7 @@ my ($program, $decks, $folder, $asked) = @ARGV;
 die "deck.pl PROGRAM DECKS FOLDER NAME\n" if !defined $asked;
 my %column = map { $_ => 1 } qw(pressure force gap slip slip_total shear_force shear_traction);
 my %sum = (F_x => ['force', 0], F_y => ['force', 1], peak => ['peak_pressure'], normal_force => ['normal_force'], closed => ['closed']);
-my %field = (u_x => ['displacement', 0], u_y => ['displacement', 1], s_xx => ['stress', 0], s_yy => ['stress', 1], s_xy => ['stress', 3]);
+my %field = (u_x => ['displacement', 0], u_y => ['displacement', 1], s_xx => ['stress', 0], s_yy => ['stress', 1], s_xy => ['stress', 2]);
 
 sub slurp { my ($file) = @_; open my $in, '<', $file or die "deck.pl: $file: $!\n"; local $/; return scalar <$in> }
 sub words { return grep { length } split ' ', $_[0] }
@@ -60,12 +60,17 @@ sub solved {    # the document of the program, the steps of it and their VTU fil
 sub pieces {    # of a VTU file, a body each: name of an array -> its numbers
     my ($step) = @_;
     return $step->{pieces} if $step->{pieces};
-    my $text = slurp($step->{vtu});
-    my @all;
-    while ($text =~ m{<Piece\b.*?</Piece>}gs) {
-        my ($piece, %array) = ($&);
-        while ($piece =~ m{<DataArray[^>]*Name="(displacement|stress|points)"[^>]*>\s*(.*?)</DataArray>}gs) { $array{$1} = [words($2)] }
-        push @all, \%array;
+    my ($text, %array) = slurp($step->{vtu});
+    while ($text =~ m{<DataArray[^>]*Name="(displacement|stress|points|connectivity|offsets|body)"[^>]*>\s*(.*?)</DataArray>}gs) { $array{$1} = [words($2)] }
+    my ($nodes, $begin, @body, @all) = (@{ $array{points} } / 3, 0);
+    for my $cell (0 .. $#{ $array{offsets} }) {
+        my $end = $array{offsets}[$cell];
+        $body[$_] = $array{body} ? $array{body}[$cell] : 0 for @{ $array{connectivity} }[$begin .. $end - 1];
+        $begin = $end;
+    }
+    for my $name (qw(displacement stress points)) {
+        my $width = @{ $array{$name} } / $nodes;
+        push @{ $all[$body[$_]]{$name} }, @{ $array{$name} }[$width * $_ .. $width * ($_ + 1) - 1] for 0 .. $nodes - 1;
     }
     return $step->{pieces} = \@all;
 }

@@ -200,6 +200,27 @@ TEST_CASE("contacts of a scene file", "[scene_file]") {
         Quadrature::SourceEdges);
 }
 
+TEST_CASE("a list of boundaries is one side of a contact", "[scene_file]") {
+  const std::string blocks =
+      "material = { youngs_modulus = 1, poisson_ratio = 0.3 }\n"
+      "[[body]]\nname = \"a\"\nmesh = { kind = \"block\", size = [4, 2], cells = [4, 2] }\n"
+      "[[body]]\nname = \"b\"\nmesh = { kind = \"block\", corner = [0, 2], size = [4, 2], cells = [4, 2] }\n";
+  const auto with = [&](const std::string& source) {
+    return parse_scene(blocks + "[[contact]]\nsource = " + source + "\ntarget = \"a.top\"\n", "name", ".").scene;
+  };
+  const Scene scene = with("[\"b.left\", \"b.bottom\"]");
+  CHECK(scene.contacts[0].source.body == "b");
+  CHECK(scene.contacts[0].source.boundary == "left+bottom");
+  CHECK(scene.bodies[1].mesh.boundaries.at("left+bottom").size() == 2 + 4);
+  CHECK(with("[\"b.left\"]").contacts[0].source.boundary == "left");
+  CHECK_THAT(problem_message([&] { static_cast<void>(with("[\"b.left\", \"a.left\"]")); }),
+             ContainsSubstring("one of 'a', and the first one of 'b'"));
+  CHECK_THAT(problem_message([&] { static_cast<void>(with("[\"b.left\", \"b.left\"]")); }),
+             ContainsSubstring("'left' stands in the list twice"));
+  CHECK_THAT(problem_message([&] { static_cast<void>(with("[]")); }),
+             ContainsSubstring("a boundary or a list of them"));
+}
+
 TEST_CASE("rigid obstacles of a scene file are where it says", "[scene_file]") {
   const auto gap = [](const std::string& keys) {
     const ContactSpec contact = contact_of("target = { " + keys + " }\n");

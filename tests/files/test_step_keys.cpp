@@ -107,6 +107,37 @@ TEST_CASE("everything that may grow names its history", "[scene_file][steps]") {
   CHECK(scene.path->histories.size() == 8);
 }
 
+TEST_CASE("a boundary is pressed by one history and dragged by another", "[scene_file][steps]") {
+  const Scene scene = scene_of(
+      head + block +
+      "prescribed = { top = [{ y = -0.5, history = \"press\" }, { x = 2, history = \"drag\" }] }\n"
+      "[[steps]]\nvalues = { press = 1 }\n[[steps]]\nvalues = { drag = 1 }\n");
+  const std::vector<Support>& supports = scene.bodies[0].supports;
+  REQUIRE(supports.size() == 2);
+  CHECK(supports[0].history == "press");
+  CHECK(supports[0].displacement({0, 0}).y() == -0.5);
+  CHECK(supports[1].history == "drag");
+  CHECK(supports[1].displacement({0, 0}).x() == 2);
+  std::vector<NodeArray> all;
+  const PathEnd end = solve_steps(scene, [&](const Model&, const Step& step) {
+    all.push_back(step.solution.displacements[0]);
+  });
+  REQUIRE(end.status == SolveStatus::Solved);
+  for (const Eigen::Index node : boundary_nodes(scene.bodies[0].mesh, "top")) {
+    CHECK(all[0].row(node) == Eigen::RowVector2d(0, -0.5));
+    CHECK(all[1].row(node) == Eigen::RowVector2d(2, -0.5));
+  }
+  const auto message = [](const std::string& top) {
+    return problem_message(
+        [&] { static_cast<void>(scene_of(head + block + "prescribed = { top = " + top + " }\n")); });
+  };
+  CHECK_THAT(message("[{ x = 1 }, { history = \"a\" }]"), ContainsSubstring("expected { x = ... }"));
+  CHECK_THAT(problem_message([&] {
+               static_cast<void>(plan(scene_of(head + block + "prescribed = { top = [{ x = 1 }, { x = 2 }] }\n")));
+             }),
+             ContainsSubstring("top"));
+}
+
 TEST_CASE("a boundary may be called history", "[scene_file][steps]") {
   const std::string message = problem_message(
       [] { static_cast<void>(scene_of_steps("prescribed = { history = { x = 1 } }\n")); });

@@ -240,11 +240,13 @@ void read_prescribed(const Value& value, BodyDraft& draft) {
                                    key("y", &Moved::y, "length", "displacement along y"),
                                    history_key(&Moved::history)};
   each_boundary(value, draft.mesh, [&](const Value& item) {
-    Moved moved;
-    read_members(item, keys, moved);
-    if (!moved.x && !moved.y) item.fail("expected { x = ... }, { y = ... } or both");
     const auto made = [&](Axis axis, double by) { return prescribed(item.name, axis, by); };
-    prescribe(moved, made, draft);
+    for (const Value* const one : item.one_or_several()) {
+      Moved moved;
+      read_members(*one, keys, moved);
+      if (!moved.x && !moved.y) one->fail("expected { x = ... }, { y = ... } or both");
+      prescribe(moved, made, draft);
+    }
   });
 }
 
@@ -344,7 +346,7 @@ const Keys<BodyDraft>& body_keys() {
       supported("fixed", "no displacement", fixed),
       supported("symmetric", "no displacement across straight boundaries, free along them",
                 symmetric),
-      {{"prescribed", "table of boundary = { x, y, history }", "length", "",
+      {{"prescribed", "table of boundary = { x, y, history }, or of lists of them", "length", "",
         "given displacements, as { right = { x = 0.1 } }; the other component is free"},
        read_prescribed},
       {{"pressure", "table of boundary = number, may grow", "force/length^2", "",

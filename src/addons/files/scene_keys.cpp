@@ -1,5 +1,7 @@
 #include "addons/files/scene_keys.hpp"
 
+#include <algorithm>
+#include <set>
 #include <utility>
 
 #include "addons/files/kinds.hpp"
@@ -30,6 +32,35 @@ Side side_of(const Value& value, const std::vector<Body>& bodies) {
       known.push_back(bodies.size() == 1 ? name : full);
     }
   value.fail("there is no boundary ", in_quotes(word), suggestion(word, known));
+}
+
+/// One boundary, or one that is made of several of a body, and called by all of their names.
+Side side_of_several(const Value& value, std::vector<Body>& bodies) {
+  const std::vector<const Value*> all = value.one_or_several();
+  if (all.empty()) value.fail("expected a boundary or a list of them, got []");
+  Side whole = side_of(*all.front(), bodies);
+  if (all.size() == 1) return whole;
+  auto body = std::find_if(bodies.begin(), bodies.end(),
+                           [&](const Body& one) { return one.mesh.name == whole.body; });
+  std::vector<CellSide> sides;
+  std::set<std::string> names;
+  whole.boundary.clear();
+  for (const Value* const item : all) {
+    const Side next = side_of(*item, bodies);
+    if (next.body != whole.body)
+      item->fail("the boundaries of a list are one side of one body: this is one of '", next.body,
+                 "', and the first one of '", whole.body, "'. Give each body a contact of its own");
+    if (!names.insert(next.boundary).second)
+      item->fail("the boundary ", in_quotes(next.boundary), " stands in the list twice");
+    for (const CellSide& side : body->mesh.boundaries.at(next.boundary))
+      if (std::none_of(sides.begin(), sides.end(), [&](const CellSide& known) {
+            return known.cell == side.cell && known.side == side.side;
+          }))
+        sides.push_back(side);
+    whole.boundary += (whole.boundary.empty() ? "" : "+") + next.boundary;
+  }
+  body->mesh.boundaries[whole.boundary] = std::move(sides);
+  return whole;
 }
 
 void read_body(const Value& value, SceneDraft& scene) {
@@ -84,7 +115,7 @@ void read_target(const Value& value, ContactDraft& contact) {
   if (value.kind == Value::Kind::Table)
     contact.target = read_obstacle(value);
   else
-    contact.target = side_of(value, *contact.bodies);
+    contact.target = side_of_several(value, *contact.bodies);
 }
 
 void read_friction(const Value& value, ContactDraft& contact) {
@@ -121,12 +152,12 @@ const Keys<Friction>& friction_keys() {
 
 const Keys<ContactDraft>& contact_keys() {
   static const Keys<ContactDraft> keys = {
-      {{"source", "\"BODY.BOUNDARY\"", "", "",
+      {{"source", "\"BODY.BOUNDARY\" or list of them", "", "",
         "side that carries the forces (slave); of the only body \"BOUNDARY\" is enough", true},
        [](const Value& value, ContactDraft& contact) {
-         contact.source = side_of(value, *contact.bodies);
+         contact.source = side_of_several(value, *contact.bodies);
        }},
-      {{"target", "\"BODY.BOUNDARY\" or table", "", "",
+      {{"target", "\"BODY.BOUNDARY\", list of them, or table", "", "",
         "side that it meets (master), or a rigid obstacle, see obstacles", true},
        read_target},
       {{"friction", "number >= 0 or table", "", "",

@@ -29,7 +29,7 @@ struct BodyDraft : Body {
 
 /// A contact while it is read.
 struct ContactDraft : ContactSpec {
-  const std::vector<Body>* bodies = nullptr;  ///< of the scene
+  std::vector<Body>* bodies = nullptr;  ///< of the scene; get boundaries that are made of several
 };
 
 /// What acts at one point of a body.

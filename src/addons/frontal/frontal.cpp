@@ -20,9 +20,8 @@ Tree order_of(const Stiffness& K, Ledger& ledger) {
 }
 
 Factor factored(const Stiffness& K, Ledger& ledger) {
-  const Tree tree = order_of(K, ledger);
-  const auto factor =
-      std::make_shared<const FrontalFactor>(K.matrix, *tree, ledger, K.describe, K.grounded);
+  const auto factor = std::make_shared<const FrontalFactor>(K.matrix, *order_of(K, ledger), ledger,
+                                                            K.describe, K.grounded);
   return {[factor](const Eigen::Ref<const Eigen::VectorXd>& load) { return factor->solve(load); },
           [factor](const Factor::Rows& A, Ledger& counts) { return factor->compliance(A, counts); },
           {factor->size(), factor->nonzeros(), factor->operations(), factor->solve_operations()},
@@ -33,7 +32,7 @@ Factor factored(const Stiffness& K, Ledger& ledger) {
                                 },
                                 part.solve_operations};
           },
-          tree};
+          [factor] { return Tree(std::make_shared<const SeparatorTree>(factor->tree())); }};
 }
 
 }  // namespace

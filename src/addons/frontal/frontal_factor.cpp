@@ -190,6 +190,12 @@ FrontalFactor::FrontalFactor(const Matrix& stiffness, const SeparatorTree& tree,
   ledger.bytes(entries_.size() * static_cast<long long>(sizeof(double)));
 }
 
+SeparatorTree FrontalFactor::tree() const {
+  SeparatorTree tree{fronts_.order, {}};
+  for (const Front& front : fronts_.all) tree.separators.push_back(front.separator);
+  return tree;
+}
+
 /// Numbers the rows of a front, by place: its own unknowns, then its boundary.
 void FrontalFactor::number_rows(const Front& front, std::vector<int>& row) const {
   const auto own = row.begin() + front.separator.first;

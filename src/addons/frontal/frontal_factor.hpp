@@ -80,6 +80,8 @@ class FrontalFactor {
   [[nodiscard]] Eigen::MatrixXd compliance(const Eigen::SparseMatrix<double, Eigen::RowMajor>& A,
                                            Ledger& ledger) const;
 
+  /// \return the order of elimination, which a matrix with much the same pattern may be factored in
+  [[nodiscard]] SeparatorTree tree() const;
   /// \return number of unknowns n
   [[nodiscard]] Eigen::Index size() const { return fronts_.size(); }
   /// \return entries of L with the diagonal, also those that are zero in a front

@@ -64,7 +64,7 @@ class Factor {
   /// \param parts       solves of a part alone; empty if the back end has none
   /// \param order       see order(); empty if the back end finds it anew each time
   Factor(Solve solve, Compliance compliance, const Size& size, Parts parts = {},
-         std::any order = {})
+         std::function<std::any()> order = {})
       : solve_(std::move(solve)),
         compliance_(std::move(compliance)),
         size_(size),
@@ -90,7 +90,7 @@ class Factor {
   [[nodiscard]] Eigen::MatrixXd compliance(const Rows& A, Ledger& ledger) const;
 
   /// \return the order of elimination as the back end knows it: it may serve the next matrix, see Stiffness
-  [[nodiscard]] const std::any& order() const { return order_; }
+  [[nodiscard]] std::any order() const { return order_ ? order_() : std::any(); }
   /// \return number of unknowns n
   [[nodiscard]] Eigen::Index size() const { return size_.unknowns; }
   /// \return entries of L with the diagonal, also those that are zero in a front
@@ -105,7 +105,7 @@ class Factor {
   Compliance compliance_;
   Size size_;
   Parts parts_;
-  std::any order_;
+  std::function<std::any()> order_;
 };
 
 struct Team;
