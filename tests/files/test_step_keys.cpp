@@ -45,6 +45,25 @@ TEST_CASE("steps follow one another, and what they do not name stays", "[scene_f
   CHECK(path.halvings == Path().halvings);
 }
 
+TEST_CASE("pairs of a body with a law move: to say that they do not is refused where it is said",
+          "[scene_file][steps]") {
+  const auto text = [](const std::string& moves, const std::string& law) {
+    return moves + "[[body]]\nname = \"rubber\"\n" +
+           "mesh = { kind = \"block\", size = [1, 1], cells = [1, 1] }\n" +
+           "material = { youngs_modulus = 1, poisson_ratio = 0.3" + law + " }\n" +
+           "fixed = \"left\"\n[[contact]]\nsource = \"bottom\"\n" +
+           "target = { kind = \"half_plane\", point = [0, 0], normal = [0, 1] }\n" +
+           "[[steps]]\ncount = 1\n";
+  };
+  const std::string law = ", law = \"neo_hooke\"";
+  CHECK_THAT(problem_message([&] { static_cast<void>(scene_of(text("moves = false\n", law))); }),
+             ContainsSubstring("moves: body 'rubber' has the law neo_hooke") &&
+                 ContainsSubstring("leave out the key, or the law"));
+  CHECK_NOTHROW(scene_of(text("moves = false\n", "")));
+  CHECK_NOTHROW(scene_of(text("moves = true\n", law)));
+  CHECK_NOTHROW(scene_of(text("", law)));
+}
+
 TEST_CASE("a history has a table or is proportional", "[scene_file][steps]") {
   const std::string steps = "[[steps]]\ncount = 3\n";
   const Path plain = *scene_of_steps("[[history]]\nname = \"a\"\n" + steps).path;

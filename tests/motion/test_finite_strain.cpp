@@ -158,6 +158,44 @@ TEST_CASE("a block between smooth plates has the force and the width of the clos
   CHECK_THAT(run.end.reason, ContainsSubstring("the last good state"));
 }
 
+// By hand from sigma = F S F^T / J; both motions have the same strain everywhere.
+TEST_CASE("true stresses of a simple shear and of a widened ring are those of the closed forms",
+          "[motion]") {
+  const double mu = 1 / 2.6;
+  const double lambda = 0.3 / (1.3 * 0.4);
+  const double shear = 0.4;
+  const double J = 1.2 * 1.2;  // a ring that is wider by a fifth, and as high as before
+  struct Stresses {
+    const char* law;
+    double sheared;
+    double hoop;
+  };
+  for (const Stresses& exact :
+       {Stresses{"neo_hooke", mu * shear, (mu * (J - 1) + lambda * std::log(J)) / J},
+        Stresses{"st_venant_kirchhoff", mu * shear + (lambda + 2 * mu) * std::pow(shear, 3) / 2,
+                 lambda * (J - 1) + mu * (J - 1)}})
+    for (const char* element : {"q4", "q8", "t3", "t6"}) {
+      CAPTURE(exact.law, element);
+      const auto stress = [&](PlaneState state, double along_x, double along_y) {
+        Scene scene = pressed(exact.law, element, 1, 1, state);
+        scene.bodies[0].mesh = moved(scene.bodies[0].mesh, {1, 0});
+        Ledger ledger;
+        const Model model = build(scene, ledger);
+        const BodyModel& body = model.bodies[0];
+        NodeArray u = NodeArray::Zero(body.mesh.n_nodes(), 2);
+        u.col(0) = along_x * body.mesh.nodes.col(0) + along_y * body.mesh.nodes.col(1);
+        return cell_stress(body.mesh, body.element, body.material, u);
+      };
+      const StressArray sheared = stress(PlaneState::Strain, 0, shear);
+      const StressArray ring = stress(PlaneState::Axial, 0.2, 0);
+      // Sums of some ten terms of size 1.
+      CHECK((sheared.col(2).array() - exact.sheared).abs().maxCoeff() <= 1e-14);
+      CHECK((ring.col(3).array() - exact.hoop).abs().maxCoeff() <= 1e-14);
+      CHECK((ring.col(0).array() - exact.hoop).abs().maxCoeff() <= 1e-14);
+      CHECK(ring.col(2).array().abs().maxCoeff() <= 1e-14);
+    }
+}
+
 // Without stress across, E33 = -nu/(1-nu) (E11 + E22), and a bar with free sides has Young's modulus alone.
 TEST_CASE("a sheet of the law of St Venant and Kirchhoff is a bar of Young's modulus",
           "[motion]") {

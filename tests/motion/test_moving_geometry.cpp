@@ -353,6 +353,29 @@ TEST_CASE("a source that leaves its target for good ends the path at the last go
   }());
 }
 
+// At time 2 the block is far beyond the end of its base.
+TEST_CASE("without halvings a step that fails is not tried in parts", "[motion]") {
+  MovingBlocks of;
+  of.drag = 7;
+  of.steps = 1;
+  Scene scene = moving_blocks(of);
+  scene.path->halvings = 0;
+  std::vector<double> times;
+  const PathEnd end = solve_steps(
+      scene, [&](const Model&, const Step& step) { times.push_back(step.state.time); });
+  CHECK(end.status == SolveStatus::IterationLimit);
+  CHECK(end.halvings == 0);
+  CHECK(times == std::vector<double>{1});
+  CHECK_THAT(end.reason, ContainsSubstring("may not be halved (halvings = 0)") &&
+                             !ContainsSubstring("was halved"));
+  scene.path->halvings = 1;
+  times.clear();
+  CHECK(solve_steps(scene, [&](const Model&, const Step& step) {
+          times.push_back(step.state.time);
+        }).halvings > 0);
+  CHECK(times.size() > 1);
+}
+
 TEST_CASE("a body that turns is noted, and refused beyond 1e-2", "[motion]") {
   const auto scene = [](double turn) {
     Scene turns = moving_blocks();
@@ -444,5 +467,40 @@ TEST_CASE("bodies that are far from the origin by 1e4 of their sizes have the sa
     REQUIRE(near.size() == far.size());
     // Meshes are rounded to 1e-12 there, and a height of 1 is pressed by 5e-3, nodes beside each other by a fifth of that.
     CHECK((near - far).cwiseAbs().maxCoeff() <= 1e-9 * near.maxCoeff());
+  }
+}
+
+// Nodes have coordinates of few binary digits, so the meshes are the same to the last digit however far they are.
+TEST_CASE("bodies keep the digits of their forces however far they are from the origin", "[motion]") {
+  struct Far {
+    VectorXd force;
+    double worst = 0;
+  };
+  const auto forces = [](double away) {
+    MovingBlocks of;
+    of.press = 0.0078125;
+    of.drag = 0.25;
+    of.steps = 2;
+    of.cells = 4;
+    Scene scene = moving_blocks(of);
+    for (Body& body : scene.bodies) body.mesh = moved(body.mesh, {away, -away});
+    Far found;
+    const PathEnd end = solve_steps(scene, [&](const Model&, const Step& step) {
+      found.force = step.solution.contact.force;
+      found.worst = std::max(found.worst, step.solution.certificate.worst());
+    });
+    INFO(end.reason);
+    CHECK(end.status == SolveStatus::Solved);
+    return found;
+  };
+  const Far near = forces(0);
+  for (const double away : {128.0, 16384.0, 131072.0}) {
+    CAPTURE(away);
+    const Far far = forces(away);
+    CHECK(far.worst <= 1e-12);
+    REQUIRE(far.force.size() == near.force.size());
+    const double off = (near.force - far.force).cwiseAbs().maxCoeff() / near.force.maxCoeff();
+    // Places are rounded to 1e-16 of the size of all, and pressed by 1/128 of it.
+    CHECK(off <= 1e-13);
   }
 }

@@ -56,6 +56,19 @@ TEST_CASE("a plan warns of an element that will lock and of overlap before loadi
   CHECK_THAT(plan(scene).notes[0], ContainsSubstring("overlap by 0.5"));
 }
 
+TEST_CASE("displacements that are given are no overlap of the meshes", "[plan]") {
+  Scene scene = cantilever("q4", 10, 2);
+  const double under = scene.bodies[0].mesh.nodes.col(1).minCoeff();
+  for (const double overlap : {0.0, 0.25}) {
+    CAPTURE(overlap);
+    scene.contacts[0].target = half_plane({0.6 * overlap, under + 0.8 * overlap}, {0.6, 0.8});
+    scene.bodies[0].supports = {prescribed("top", Axis::X, 0), prescribed("bottom", Axis::Y, -0.125)};
+    const std::vector<std::string> notes = plan(scene).notes;
+    REQUIRE(notes.size() == (overlap > 0 ? 1 : 0));
+    if (overlap > 0) CHECK_THAT(notes[0], ContainsSubstring("overlap by 0.25 before loading"));
+  }
+}
+
 TEST_CASE("sides that touch but for the rounding of positions do not overlap", "[plan]") {
   Scene scene = cantilever("q4", 10, 2);
   scene.bodies[0].mesh = moved(scene.bodies[0].mesh, {0, 0.3});

@@ -66,6 +66,20 @@ double rounding(const Model& model, const Solution& solution, const BodyModel& o
   return 64 * epsilon * stiffest * moved;
 }
 
+/// What no two doubles resolve: a gap or a displacement that is given has an error of 2^-106, which makes forces of that by the
+/// stiffness of the scene, also where nothing is pressed and all forces are 0.
+double unresolved(const Model& model) {
+  const QuadraticProgramme& given = model.programme;
+  const auto most = [](const auto& values) {
+    return values.size() > 0 ? values.cwiseAbs().maxCoeff() : 0;
+  };
+  const double length = std::max(most(given.initial_gap), most(model.unknowns.held));
+  const Eigen::VectorXd stiff = given.stiffness.diagonal();
+  // Below the smallest double over epsilon numbers have lost digits.
+  return std::max(0x1p-106 * std::max(most(stiff) * length, most(given.load)),
+                  std::numeric_limits<double>::min() / epsilon);
+}
+
 }  // namespace
 
 double unbalanced(const Model& model, const Solution& solution) {
@@ -95,8 +109,7 @@ double unbalanced(const Model& model, const Solution& solution) {
     turned[*sides.target] += sums[k].normal_force + std::abs(sums[k].shear_force);
   }
   const bool axial = is_axial(model.bodies.front());
-  // Below that numbers have lost digits.
-  const double smallest = std::numeric_limits<double>::min() / epsilon;
+  const double smallest = unresolved(model);
   double worst = 0;
   for (std::size_t b = 0; b < bodies.size(); ++b)
     for (int k = axial ? 1 : 0; k < (axial ? 2 : 3); ++k) {

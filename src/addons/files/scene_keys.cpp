@@ -8,6 +8,7 @@
 #include "papers/solver_table.hpp"
 #include "signorini/contact/gap_operators.hpp"
 #include "signorini/core/family.hpp"
+#include "signorini/fem/strain_laws.hpp"
 
 namespace signorini {
 
@@ -129,6 +130,16 @@ void read_friction(const Value& value, ContactDraft& contact) {
         "expected a coefficient or a cohesion, got neither: give one, or leave friction out");
 }
 
+/// A body with a law moves, and so do its pairs: to say that it does not is to say two things.
+void read_moves(const Value& value, SceneDraft& draft) {
+  take(value, draft.file.scene.moves);
+  if (draft.file.scene.moves) return;
+  for (const Body& body : draft.file.scene.bodies)
+    if (body.material.law != nullptr)
+      value.fail("body '", body.mesh.name, "' has the law ", body.material.law->name,
+                 ", and its pairs are those of where it has moved to: leave out the key, or the law");
+}
+
 void read_halvings(const Value& value, SceneDraft& draft) {
   std::optional<Path>& path = draft.file.scene.path;
   if (!path) value.fail("has no meaning without [[steps]]: leave it out");
@@ -227,7 +238,7 @@ const Keys<SceneDraft>& scene_keys() {
        read_halvings},
       {{"moves", type_name<bool>(), "", written(Scene().moves),
         "whether pairs are those of bodies where they have moved to, in [[steps]]"},
-       [](const Value& value, SceneDraft& draft) { take(value, draft.file.scene.moves); }},
+       read_moves},
       {{"output", "table", "", "", "what is written, into the working folder, see output"},
        [](const Value& value, SceneDraft& draft) {
          read_members(value, output_keys(), draft.file.output);

@@ -109,21 +109,22 @@ Places sum(const NodeArray& a, const NodeArray& b) {
   return {rounded, (a - (rounded - part)) + (b - part)};
 }
 
-/// \param carried  what all bodies are shifted by, and left out
+/// \param carried  what all places are shifted by, and left out
 Places places(const NodeArray& X, const Displaced& u, const Eigen::RowVector2d& carried) {
-  const Places left = sum(u.high, -carried.replicate(u.high.rows(), 1));
-  Places there = sum(X, left.rounded);
-  there.rest += left.rest + u.low;
-  return there;
+  const Places still = sum(X, -carried.replicate(X.rows(), 1));
+  const Places there = sum(still.rounded, u.high);
+  return sum(there.rounded, there.rest + (still.rest + u.low));
 }
 
-/// By how much all bodies are carried. If they all are, gaps and normals are found where they would be without that, or the
-/// last digits of far places would be those of normals. An obstacle stays where it is, and so do they then; and so does the
-/// axis of bodies of revolution, whose radii are their depth.
-Eigen::RowVector2d carrier(const Scene& scene, const Model& model, const Displaced& displacement) {
+/// The middle of where all bodies stand. Gaps and normals are found as if that were the origin, or the last digits of far
+/// places would be those of normals. An obstacle stays where it is, and so do they then; and so does the axis of bodies of
+/// revolution, whose radii are their depth. At rest they have the pairs of the scene, bit by bit.
+Eigen::RowVector2d carrier(const Scene& scene, const Model& model, const NodeArray& still,
+                           const Displaced& displacement) {
+  if (displacement.high.isZero(0) && displacement.low.isZero(0)) return {0, 0};
   for (const ContactSpec& contact : scene.contacts)
     if (!std::holds_alternative<Side>(contact.target)) return {0, 0};
-  Eigen::RowVector2d mean = displacement.high.colwise().mean();
+  Eigen::RowVector2d mean = (still + displacement.high).colwise().mean();
   if (!model.bodies.empty() && is_axial(model.bodies.front())) mean.x() = 0;
   return mean;
 }
@@ -146,9 +147,9 @@ void add_rest(const NodeArray& rest, const Unknowns& unknowns, Gaps& gaps) {
 void place_bodies(const Scene& scene, const Displaced& displacement, const Displaced& before,
                   Model& model, KeptPoints* kept) {
   const NodeArray still = nodes_of(model.bodies);
-  const Eigen::RowVector2d carried = carrier(scene, model, displacement);
+  const Eigen::RowVector2d carried = carrier(scene, model, still, displacement);
   const Places now = places(still, displacement, carried);
-  const Places earlier = places(still, before, carrier(scene, model, before));
+  const Places earlier = places(still, before, carrier(scene, model, still, before));
   const NodeArray moved = (displacement.high - before.high) + (displacement.low - before.low);
   Plan draft;
   const auto standing =

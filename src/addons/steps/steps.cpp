@@ -180,7 +180,10 @@ bool Walk::passes_change(double reach, bool looks_for_it) {
   const double next = there ? change + margin : change - margin;
   if (share && next > begin && goes(next)) return true;
   if (there) end.limit = change;
-  end.reason += text(". The step to ", target, " was halved ", model.path.halvings, " times",
+  const int most = model.path.halvings;
+  end.reason += text(". The step to ", target,
+                     most == 0 ? text(" may not be halved (halvings = 0)")
+                               : text(" was halved ", most, " times"),
                      there ? text(", and nothing is found beyond time ", change,
                                   ", where pairs begin to slide or to open")
                            : "");

@@ -129,13 +129,16 @@ Index overlapping(const Plan& plan) {
 }
 
 // Notes the largest overlap that no interference asks for. An overlap in the meshes loads
-// the bodies like a press fit, and is often a mistake of the meshing.
+// the bodies like a press fit, and is often a mistake of the meshing. Displacements that are given are none of the meshes.
 void note_overlap(const Scene& scene, Plan& draft) {
-  double least = -gap_rounding(draft.gaps.pairs);
+  const Pairs& pairs = draft.gaps.pairs;
+  const NodeArray& held = draft.unknowns.held;
+  const Eigen::VectorXd gaps = pairs.initial_gap - pairs.opening * held.reshaped<Eigen::RowMajor>();
+  double least = -gap_rounding(pairs);
   const ContactSpec* deepest = nullptr;
   for (std::size_t pair = 0; pair < draft.contact_of.size(); ++pair) {
     const ContactSpec& contact = scene.contacts[draft.contact_of[pair]];
-    const double gap = draft.gaps.pairs.initial_gap(static_cast<Index>(pair));
+    const double gap = gaps(static_cast<Index>(pair));
     if (gap >= least || contact.interference.value_or(0) != 0) continue;
     least = gap;
     deepest = &contact;
