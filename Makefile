@@ -117,6 +117,10 @@ accuracy:                 ## what an accuracy costs that is asked for, beside me
 	@cmake --preset release -DSIGNORINI_BUILD_BENCH=ON > /dev/null
 	@cmake --build $B -j $(JOBS) --target accuracy round_bodies
 	@$(ONE_THREAD) $B/bin/accuracy --full && $(ONE_THREAD) $B/bin/round_bodies --full
+many_bodies:              ## what stacks of many blocks cost, and piles of discs with friction
+	@cmake --preset release -DSIGNORINI_BUILD_BENCH=ON > /dev/null
+	@cmake --build $B -j $(JOBS) --target many_bodies
+	@$(ONE_THREAD) $B/bin/many_bodies --full
 fuzz:                     ## invent texts for the readers of scenes, problems and meshes, ten minutes each, with clang
 	@JOBS=$(JOBS) tests/fuzz/run.sh
 faults:                   ## put deliberate faults into a copy, one at a time: which test notices each, in an hour or two
@@ -130,5 +134,5 @@ handout:                  ## build/signorini-handout.tar.gz, without solutions a
 	@ls -l $B/signorini-handout.tar.gz
 clean:                    ## remove everything that was built
 	rm -rf $B
-.PHONY: all help configure run chapters test conformance results figures text lint book book-pdf slides site engine live browser bench peers effectivity accuracy \
+.PHONY: all help configure run chapters test conformance results figures text lint book book-pdf slides site engine live browser bench peers effectivity accuracy many_bodies \
         fuzz faults sets grade handout clean

@@ -1,15 +1,16 @@
-# Measurements: `price`, `effectivity`, `accuracy` and `round_bodies` need nothing, `peers` compares with what is installed of other people's solvers.
+# Measurements: `price`, `effectivity`, `accuracy`, `round_bodies` and `many_bodies` need nothing, `peers` compares with what is installed of other people's solvers.
 file(GLOB peer_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/bench/peers/*.cpp)
 add_executable(price bench/price.cpp bench/rounds.cpp)
 add_executable(peers bench/peers.cpp bench/rounds.cpp ${peer_sources})
 add_executable(effectivity bench/effectivity.cpp)
 add_executable(accuracy bench/accuracy.cpp)
 add_executable(round_bodies bench/round_bodies.cpp)
+add_executable(many_bodies bench/many_bodies.cpp)
 include(cmake/Yardsticks.cmake)
 foreach(program price peers)
   target_link_libraries(${program} PRIVATE yardsticks)
 endforeach()
-foreach(program price peers effectivity accuracy round_bodies)
+foreach(program price peers effectivity accuracy round_bodies many_bodies)
   target_link_libraries(${program} PRIVATE signorini::signorini signorini_warnings)
   target_include_directories(${program} PRIVATE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(${program} PRIVATE SIGNORINI_BENCH_OUT="${PROJECT_BINARY_DIR}/out/bench")
@@ -33,7 +34,7 @@ if(SICONOS_CONFIG AND SICONOS_NUMERICS AND SICONOS_LIBRARY)
 endif()
 
 if(SIGNORINI_BUILD_TESTS)  # on small problems: they end with 0 only if all is certified and equal to what it must equal
-  foreach(program price peers effectivity accuracy round_bodies)
+  foreach(program price peers effectivity accuracy round_bodies many_bodies)
     add_test(NAME bench/${program} COMMAND ${program} --out ${PROJECT_BINARY_DIR}/tests/bench/${program})
     set_tests_properties(bench/${program} PROPERTIES LABELS bench)
   endforeach()

@@ -16,6 +16,7 @@
 #include "support/effect_examples.hpp"
 #include "support/hertz.hpp"
 #include "support/paths.hpp"
+#include "support/stack.hpp"
 #include "support/two_bodies.hpp"
 
 using namespace signorini;
@@ -169,6 +170,16 @@ TEST_CASE("bodies that nothing connects cost as many solves as there are, each o
                 .cwiseAbs()
                 .maxCoeff() <= 1e-13 * alone.contact.force.maxCoeff());
   }
+}
+
+TEST_CASE("many bodies are predicted by their entries", "[prediction]") {
+  const Scene scene = stack(26, 0);
+  const Prediction prediction = predict(plan(scene));
+  const Solution solution = solve(scene);
+  REQUIRE(solution.contact.report.status == SolveStatus::Solved);
+  for (const char* what : {"solves", "operations"})
+    CHECK(prediction.amount("refinement", what) ==
+          static_cast<double>(solution.ledger.counted("refinement", what)));
 }
 
 TEST_CASE("the figures that are said to be exact are so whatever effect is on", "[prediction]") {

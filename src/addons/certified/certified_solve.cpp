@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "addons/certified/certified_end.hpp"
+#include "addons/certified/many_bodies.hpp"
 #include "addons/certified/separate.hpp"
 #include "addons/certified/solve_with_proofs.hpp"
 #include "signorini/core/rounding.hpp"
@@ -188,6 +189,9 @@ CertifiedSolution certified_solve(const QuadraticProgramme& programme,
       unconnected_systems(programme, condensed.problem.law, null_vectors);
   if (!systems.empty())
     return separate_solutions(programme, condensed, null_vectors, systems, solver, options, ledger);
+  if (many_bodies(null_vectors.cols(), solver, options))
+    if (auto sparse = many_bodies_solution(programme, condensed, null_vectors, options, ledger))
+      return std::move(*sparse);
   CertifiedSolution end =
       CertifiedSolve(programme, condensed, null_vectors, ledger).run(solver, options);
   for (Solver (*const next)() : solver.others) {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "addons/certified/at_rest.hpp"
+#include "addons/certified/many_bodies.hpp"
 #include "addons/certified/proofs.hpp"
 #include "addons/certified/soft_pairs.hpp"
 #include "signorini/core/rounding.hpp"
@@ -59,8 +60,15 @@ ContactState solve_with_proofs(const ContactProblem& problem, const Solver& solv
                                const SolverOptions& options) {
   const bool frictional = !problem.law.pair.empty();
   const bool floats = problem.resultant.size() > 0;
+  if (many_bodies(problem.resultant.size(), solver, options))
+    if (auto sparse = many_bodies_state(problem, options)) return std::move(*sparse);
   if (floats && (!frictional || solver.friction != Takes::No))
     if (auto away = infeasible_resultant(problem, equilibrate(problem))) return *away;
+  if (many_bodies(many_motions, solver, options) && few_entries(problem))
+    if (auto sparse = many_bodies_state(problem, options)) {
+      prove_uniqueness(problem, *sparse);
+      return std::move(*sparse);
+    }
   ContactState state = solve(problem, strengthened(solver, problem), options);
   const SolveStatus status = state.report.status;
   if (frictional && status == SolveStatus::Solved) prove_uniqueness(problem, state);

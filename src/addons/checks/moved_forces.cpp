@@ -53,6 +53,7 @@ PairForces pair_forces(const ContactState& contact) {
 }
 
 VectorXd on_nodes(const NodalRows& opening, const PairForces& forces) {
+  if (forces.shear.isZero(0)) return opening.transpose() * forces.normal;
   return opening.transpose() * forces.normal + turned(opening).transpose() * forces.shear;
 }
 

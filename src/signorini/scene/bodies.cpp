@@ -34,10 +34,9 @@ void add_nodal_forces(const BodyModel& body, const NodeArray& forces, Eigen::Vec
 std::size_t body_index(const std::vector<BodyModel>& bodies, const Side& side) {
   if (side.body.empty() && bodies.size() == 1) return 0;
   std::string names;
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
+  for (std::size_t b = 0; b < bodies.size(); ++b)
     if (bodies[b].mesh.name == side.body) return b;
-    names += (b == 0 ? "'" : ", '") + bodies[b].mesh.name + "'";
-  }
+  for (const BodyModel& one : bodies) names += (names.empty() ? "'" : ", '") + one.mesh.name + "'";
   throw ProblemError(text("boundary '", side.boundary, "': there is no body '", side.body,
                           "'; the scene has ", names));
 }
@@ -127,7 +126,8 @@ NodalRows contact_rows(const Gaps& gaps, const FrictionLaw& law) {
 
 // K is large. One body hands over its block without a copy. Several blocks are written
 // column by column in the order of storage, so that nothing is sorted, and each block is
-// freed as soon as it is written.
+// freed as soon as it is written. Room for one block more copies all that is there, so of many
+// small blocks the storage grows by itself, which doubles it.
 void put_along_diagonal(const std::vector<BodyModel>& bodies,
                         std::vector<Eigen::SparseMatrix<double>>& blocks,
                         Eigen::SparseMatrix<double>& all) {
@@ -136,7 +136,7 @@ void put_along_diagonal(const std::vector<BodyModel>& bodies,
   all.resize(count, count);
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     const Index first = bodies[b].first_unknown;
-    all.reserve(all.nonZeros() + blocks[b].nonZeros());
+    if (blocks.size() <= 16) all.reserve(all.nonZeros() + blocks[b].nonZeros());
     for (Index k = 0; k < blocks[b].cols(); ++k) {
       all.startVec(first + k);
       for (Eigen::SparseMatrix<double>::InnerIterator it(blocks[b], k); it; ++it)

@@ -43,6 +43,7 @@ bool before(const CellSide& a, const CellSide& b) {
 // some, so names prove nothing.
 std::vector<CellSide> common_sides(const std::vector<BodyModel>& bodies, const Side& one,
                                    const Side& two) {
+  if (!one.body.empty() && !two.body.empty() && one.body != two.body) return {};
   const std::size_t body = body_index(bodies, one);
   if (body_index(bodies, two) != body) return {};
   std::vector<CellSide> a = boundary(bodies[body].mesh, one.boundary);
@@ -98,12 +99,12 @@ void check_listed_once(const Scene& scene, const std::vector<BodyModel>& bodies)
   const std::vector<ContactSpec>& contacts = scene.contacts;
   for (std::size_t two = 1; two < contacts.size(); ++two)
     for (std::size_t one = 0; one < two; ++one)
-      require_input(
-          !pair_the_same(contacts[one], contacts[two], bodies), "contacts ", one + 1, " and ",
-          two + 1, " of the scene are about the same sides: the ", describe(bodies, contacts[one]),
-          ", and the ", describe(bodies, contacts[two]),
-          ". Each would carry a part of the pressure only: leave one of them out, or let their "
-          "boundaries have no side in common");
+      if (pair_the_same(contacts[one], contacts[two], bodies))
+        throw ProblemError(text(
+            "contacts ", one + 1, " and ", two + 1, " of the scene are about the same sides: the ",
+            describe(bodies, contacts[one]), ", and the ", describe(bodies, contacts[two]),
+            ". Each would carry a part of the pressure only: leave one of them out, or let their "
+            "boundaries have no side in common"));
 }
 
 // One node in front of the obstacle is enough to show that the side is right. A body that

@@ -18,6 +18,7 @@
 
 #include "signorini/core/dense.hpp"
 #include "signorini/core/rounding.hpp"
+#include "signorini/core/sparse_lu.hpp"
 #include "signorini/core/wording.hpp"
 #include "signorini/fem/far.hpp"
 #include "signorini/scene/rigid_modes.hpp"
@@ -107,15 +108,20 @@ std::vector<std::string> motions_without_contact(
     const Eigen::SparseMatrix<double, Eigen::RowMajor>& A, const std::vector<FreeMotion>& modes) {
   std::vector<std::string> sentences;
   if (modes.empty()) return sentences;
-  const double directions = direction_rounding(modes);
-  Eigen::MatrixXd moved = rigid_gaps(A, mode_shapes(modes), directions);
+  Eigen::MatrixXd moved = rigid_gaps(A, mode_shapes(modes), direction_rounding(modes));
   Eigen::VectorXd unit = Eigen::VectorXd::Ones(moved.cols());
-  const double rounding = 64 * std::max(epsilon, directions);
+  const double rounding = 64 * std::max(epsilon, direction_rounding(modes));
   // Against the terms: where these cancel, as for a ring that turns on a pin, what is left is rounding.
   const Eigen::RowVectorXd size =
       (A.cwiseAbs() * mode_shapes(modes).cwiseAbs()).colwise().lpNorm<Eigen::Infinity>();
   for (Index k = 0; k < moved.cols(); ++k)
     if (size(k) > 0) moved.col(k) /= unit(k) = size(k);
+  // Of many bodies each pair feels a few. If the Gram matrix takes any load by much less than what
+  // dependent columns make of it, beyond 1/rounding^2, none depends on others.
+  const Eigen::SparseMatrix<double> few = moved.sparseView();
+  const Eigen::VectorXd any = Eigen::VectorXd::LinSpaced(few.cols(), 1, 9).array().sin();
+  if (SparseLuFactor gram; gram.factorise(few.transpose() * few))
+    if (largest(gram.solve(any)) < 1e12) return sentences;
   if (moved.rows() < moved.cols())
     moved.conservativeResizeLike(Eigen::MatrixXd::Zero(moved.cols(), moved.cols()));
   const ColumnSpan span = column_span(moved, rounding * static_cast<double>(moved.cols()));
@@ -124,8 +130,7 @@ std::vector<std::string> motions_without_contact(
     Eigen::VectorXd amplitude = Eigen::VectorXd::Zero(moved.cols());
     amplitude(*k) = 1;
     amplitude(held) = -least_norm_solution(moved(Eigen::all, held), moved.col(*k));
-    const std::vector<std::string> words = in_words(modes, amplitude.cwiseQuotient(unit));
-    sentences.push_back(joined(words, " while "));
+    sentences.push_back(joined(in_words(modes, amplitude.cwiseQuotient(unit)), " while "));
   }
   return sentences;
 }
