@@ -3,6 +3,7 @@
 #   build   compiler, libraries, gnuplot: all that ./run.sh needs
 #   book    the web pages: Python, and Doxygen for the reference of src/
 #   check   a browser that opens every page
+#   formats what reads and checks our files: Python's jsonschema
 #   live    a compiler for browsers, for make engine
 #   print   the same browser, the letters of figures and Chinese words, where words break, and what looks at pages, for make book-pdf
 #   strict  the second compiler of the stricter presets
@@ -13,6 +14,7 @@ set -eu
 build="g++ make cmake catch2 libeigen3-dev libcli11-dev libtomlplusplus-dev gnuplot-nox perl"
 book="doxygen python3"
 check="chromium python3 fonts-dejavu-core"
+formats="python3-jsonschema"
 print="$check fonts-wqy-microhei hyphen-en-gb poppler-utils"
 live="emscripten"
 strict="clang"
@@ -25,12 +27,13 @@ for group in "$@"; do
     build) wanted="$wanted $build" ;;
     book) wanted="$wanted $book" ;;
     check) wanted="$wanted $check" ;;
+    formats) wanted="$wanted $formats" ;;
     live) wanted="$wanted $live" ;;
     print) wanted="$wanted $print" ;;
     strict) wanted="$wanted $strict" ;;
     peers) wanted="$wanted $peers" ;;
     parallel) wanted="$wanted $parallel" ;;
-    *) echo "setup.sh: unknown group '$group', expected build, book, check, live, print, strict, parallel or peers" >&2; exit 2 ;;
+    *) echo "setup.sh: unknown group '$group', expected build, book, check, formats, live, print, strict, parallel or peers" >&2; exit 2 ;;
     esac
 done
 

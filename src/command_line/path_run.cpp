@@ -16,6 +16,7 @@
 
 #include "addons/text/text_reader.hpp"
 #include "command_line/picture.hpp"
+#include "command_line/print.hpp"
 #include "command_line/scene_print.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/table.hpp"
@@ -288,7 +289,8 @@ void PathFiles::finish(const SceneRun& run) {
 void PathTeller::begin(const SceneRun& run) {
   if (std::exchange(begun_, true)) return;
   if (as_json_) {
-    write_head(json_.object(), run);
+    begin_document(json_, "steps");
+    write_head(json_, run);
     json_.key("steps").array();
     return;
   }

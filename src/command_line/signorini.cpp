@@ -57,8 +57,9 @@ ProblemFile read(const Request& request, const std::string& command) {
 template <typename Problems>
 void write_document(const Request& request, const char* kind, Problems&& problems) {
   Json json;
-  json.object().key("file").value(request.name()).key("kind").value(kind);
-  json.key("tolerance").value(request.tolerance).key("problems").array();
+  command_line::begin_document(json, kind);
+  json.key("file").value(request.name()).key("tolerance").value(request.tolerance);
+  json.key("problems").array();
   problems(json);
   json.end().end();
   std::cout << json.text();
@@ -160,7 +161,7 @@ int solve_accurately(const Request& request, const Team* team, command_line::Sce
   command_line::count_members(team, run.solution->ledger);
   if (request.json) {
     Json json;
-    json.object();
+    command_line::begin_document(json, "accuracy");
     command_line::write(json, accuracy);
     command_line::write_keys(json, run);
     json.end();
