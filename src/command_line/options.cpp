@@ -77,7 +77,8 @@ void declare(CLI::App& app, Request& request) {
       "0 if the problem is solved and everything is written; 1 if it is not solved, and then no "
       "file is written, but of load steps what was good before, or if --accuracy is not met, and "
       "then the files are those of the last mesh; 2 if the input is wrong, or what was found could "
-      "not be printed or written.");
+      "not be printed or written. An interrupted run says what it has kept and ends by the signal, "
+      "which shells call 130 (Ctrl-C) or 143.");
   app.add_flag("--list", "the solvers, on which problems each may fail, and the back ends");
   app.add_flag("--keys", "the keys of scene files, in Markdown");
   app.add_flag("--man", "this help as a manual page");

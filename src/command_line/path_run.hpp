@@ -42,6 +42,7 @@ class PathFiles {
   void keep_fields(const signorini::PathState& from, const std::string& all);
   std::string rows_of(const signorini::Model& model, const signorini::Step& step);
 
+  std::string name_;  // of the scene
   signorini::Output wanted_;
   Drafts drafts_;
   signorini::PathState from_;

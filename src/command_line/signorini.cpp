@@ -13,6 +13,7 @@
 
 #include "addons/files/scene_file.hpp"
 #include "command_line/accuracy_run.hpp"
+#include "command_line/attendance.hpp"
 #include "command_line/backends.hpp"
 #include "command_line/man.hpp"
 #include "command_line/options.hpp"
@@ -43,6 +44,7 @@ const char* command_of(const ProblemFile& file) {
 
 /// The problem of the file, for one of the commands that take such files.
 ProblemFile read(const Request& request, const std::string& command) {
+  const command_line::Progress progress(text("reading ", request.name()));
   const std::string content = command_line::content_of(request.file);
   ProblemFile file = command_line::read_or_hint(request.name(), content, command.c_str(), [&] {
     return parse_problem(content, request.name());
@@ -320,6 +322,8 @@ int main(int argc, char** argv) {
 #ifdef __GLIBC__
   mallopt(M_MMAP_THRESHOLD, 1 << 20);  // so that what a phase frees goes back to the system
 #endif
+  std::optional<command_line::Attendance> attendance;
+  if (command_line::launched().rank == 0) attendance.emplace();  // of several processes one speaks
   std::function<void(int)> end;
   const int code = guarded_run(argc, argv, end);
   if (end) end(code);
