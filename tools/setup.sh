@@ -3,7 +3,7 @@
 #   build   compiler, libraries, gnuplot: all that ./run.sh needs
 #   book    the web pages: Python, and Doxygen for the reference of src/
 #   check   a browser that opens every page
-#   formats what reads and checks our files: Python's jsonschema
+#   formats what checks our documents and converts meshes of others: Python's jsonschema and meshio
 #   live    a compiler for browsers, for make engine
 #   print   the same browser, the letters of figures and Chinese words, where words break, and what looks at pages, for make book-pdf
 #   strict  the second compiler of the stricter presets
@@ -14,7 +14,7 @@ set -eu
 build="g++ make cmake catch2 libeigen3-dev libcli11-dev libtomlplusplus-dev gnuplot-nox perl"
 book="doxygen python3"
 check="chromium python3 fonts-dejavu-core"
-formats="python3-jsonschema"
+formats="python3-jsonschema python3-meshio python3-h5py python3-netcdf4"
 print="$check fonts-wqy-microhei hyphen-en-gb poppler-utils"
 live="emscripten"
 strict="clang"

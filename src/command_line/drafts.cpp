@@ -48,9 +48,10 @@ void Drafts::add(const std::string& file) {
   require_input(!fs::exists(status) || fs::is_regular_file(status), "cannot write '", file,
                 "': this is no plain file");
   const std::string ending = fs::path(file).extension().string();
-  require_input(
-      ending != ".toml" && ending != ".msh" && ending != ".geo" && whole(file) != whole(read_),
-      "cannot write '", file, "': results do not replace scenes and meshes, take another name");
+  require_input(ending != ".toml" && ending != ".msh" && ending != ".geo" && ending != ".inp" &&
+                    whole(file) != whole(read_),
+                "cannot write '", file,
+                "': results do not replace scenes and meshes, take another name");
   for (const Entry& other : entries_)
     require_input(whole(other.file) != whole(file), "cannot write '", file,
                   "' twice: give every result a file of its own");

@@ -6,7 +6,6 @@
 #include <iterator>
 #include <utility>
 
-#include "addons/files/problem_file.hpp"
 #include "addons/steps/steps_limit.hpp"
 #include "addons/text/text_reader.hpp"
 #include "command_line/attendance.hpp"
@@ -77,13 +76,13 @@ void follow(SceneRun& run, Ledger ledger, const StepObserver& observe, const Pro
 
 }  // namespace
 
-std::string content_of(const std::string& file) {
+std::string content_of(const std::string& file, std::size_t most) {
   if (file == "-") {
     std::string content{std::istreambuf_iterator<char>(std::cin), {}};
     require_input(!std::cin.bad(), standard_input, ": cannot be read");
     return content;
   }
-  return file_content(file, std::max(largest_scene_file, largest_problem_file));
+  return file_content(file, most);
 }
 
 std::filesystem::path folder_of(const std::string& file) {

@@ -1,5 +1,5 @@
 // The program `signorini`: solves problems from files with the solvers of the book.
-// Run:  signorini plan|solve|lcp|friction|qp FILE [options];  signorini --list | --man | --version
+// Run:  signorini plan|solve|mesh|lcp|friction|qp FILE [options];  signorini --list | --man | --version
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <iostream>
@@ -16,6 +16,7 @@
 #include "command_line/attendance.hpp"
 #include "command_line/backends.hpp"
 #include "command_line/man.hpp"
+#include "command_line/mesh_run.hpp"
 #include "command_line/options.hpp"
 #include "command_line/outcome.hpp"
 #include "command_line/path_run.hpp"
@@ -135,6 +136,24 @@ int tell(const Request& request, const command_line::SceneRun& run,
 int plan_scene(const Request& request) {
   return tell(request, command_line::plan_scene(request.file, {request.solver}, "plan"),
               command_line::print_plan);
+}
+
+int tell_of_mesh(const Request& request) {
+  const std::string& plot = request.output.plot;
+  if (!plot.empty()) static_cast<void>(command_line::picture_kind(plot));
+  command_line::Drafts drafts(command_line::files_of(request.output), request.file);
+  const command_line::MeshRun run = command_line::read_meshes(request.file);
+  if (request.json) {
+    Json json;
+    command_line::write(json, run);
+    std::cout << json.text();
+  } else {
+    command_line::print(std::cout, run);
+  }
+  if (!plot.empty())
+    drafts.publish(
+        [&] { command_line::draw(drafts.begin(plot), command_line::picture_kind(plot), run); });
+  return command_line::usable(run) ? solved : not_solved;
 }
 
 /// Solves a scene with load steps; what is asked for is in run.
@@ -266,7 +285,8 @@ bool answered(const CLI::App& app) {
 /// \param end  is set if other processes wait for the exit code
 int run(int argc, char** argv, std::function<void(int)>& end) {
   const char* const expected =
-      "expected plan FILE, solve FILE, lcp FILE, friction FILE, qp FILE, --list, --keys, --man or "
+      "expected plan FILE, solve FILE, mesh FILE, lcp FILE, friction FILE, qp FILE, --list, "
+      "--keys, --man or "
       "--version. Try signorini --help";
   Request request;
   CLI::App app(
@@ -292,10 +312,11 @@ int run(int argc, char** argv, std::function<void(int)>& end) {
   if (answered(app)) return solved;
   require_input(!app.get_subcommands().empty(), expected);
   const std::string command = app.get_subcommands().front()->get_name();
-  const bool scene = command == "plan" || command == "solve";
+  const bool scene = command == "plan" || command == "solve" || command == "mesh";
   request.tolerance = tolerance_of(request.tolerance_text);
   check_solver(request.solver, !scene);
   if (command == "plan") return plan_scene(request);
+  if (command == "mesh") return tell_of_mesh(request);
   if (command == "solve") return solve_with_backend(request, end);
   return command == "qp" ? solve_qp(request) : solve_pairs(request, command.c_str());
 }

@@ -22,7 +22,9 @@ ELSEWHERE = {"processes"}  # of back ends that work on several processes
 RUNS = [["plan", "examples/hertz.toml"], ["solve", "examples/cantilever.toml", "--accuracy", "1%"],
         ["lcp", "tests/data/siconos_lcp/lcp_CPS_1.dat", "--solver", "all"], ["qp", "tests/data/maros_meszaros/HS52.txt", "--solver", "all"],
         ["friction", "tests/data/siconos_fc2d/FC2D_SliderCrankLagrangian00000.dat", "--solver", "all"],
-        ["friction", "tests/hard/friction/three_answers.txt"], ["solve", "examples/bolt_in_tube.toml"], ["solve", "src/addons/effects/springs.toml"]]
+        ["friction", "tests/hard/friction/three_answers.txt"], ["solve", "examples/bolt_in_tube.toml"], ["solve", "src/addons/effects/springs.toml"],
+        ["mesh", "examples/lining.toml"], ["mesh", "tests/data/inp/two_blocks.inp"], ["mesh", "tests/data/inp/layers.toml"],
+        ["mesh", "tests/data/inp/inverted.inp"]]
 RUNS += [["solve", "tests/data/transcripts/%s.toml" % name]
          for name in ("effects", "flat", "lifted", "path", "rough", "sliding", "sphere", "statics", "there_and_back")]
 RUNS += [["solve", "tests/data/transcripts/flat.toml", "--accuracy", "5%", "--goal", "peak"]]
@@ -62,7 +64,8 @@ def damaged(document):
     yield "another version", {**document, "version": 2}
     yield "an unknown member", {**document, "magic": 1}
     within = {"plan": lambda d: d["plan"]["predicted"][0], "solution": lambda d: d.get("pairs", d["certificate"]),
-              "steps": lambda d: d["steps"][0], "accuracy": lambda d: d["accuracy"]["rounds"][0]}
+              "steps": lambda d: d["steps"][0], "accuracy": lambda d: d["accuracy"]["rounds"][0],
+              "mesh": lambda d: d["bodies"][0]}
     deep = copy.deepcopy(document)
     within.get(document["kind"], lambda d: d["problems"][0]["solvers"][0])(deep)["magic"] = 1
     yield "an unknown member within", deep
