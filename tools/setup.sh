@@ -3,9 +3,9 @@
 #   build   compiler, libraries, gnuplot: all that ./run.sh needs
 #   book    the web pages: Python, and Doxygen for the reference of src/
 #   check   a browser that opens every page
+#   formats what checks our documents and converts meshes of others: Python's jsonschema, VTK and meshio
 #   live    a compiler for browsers, for make engine
 #   print   the same browser, the letters of figures and Chinese words, where words break, and what looks at pages, for make book-pdf
-#   readers what reads our files: VTK and meshio, for a test
 #   strict  the second compiler of the stricter presets
 #   peers   other people's programs and libraries, for make peers and make bench
 #   parallel  other factors: CHOLMOD, and MUMPS with MPI
@@ -14,9 +14,9 @@ set -eu
 build="g++ make cmake catch2 libeigen3-dev libcli11-dev libtomlplusplus-dev gnuplot-nox perl"
 book="doxygen python3"
 check="chromium python3 fonts-dejavu-core"
+formats="python3-jsonschema python3-vtk9 python3-meshio python3-h5py python3-netcdf4"
 print="$check fonts-wqy-microhei hyphen-en-gb poppler-utils"
 live="emscripten"
-readers="python3-vtk9 python3-meshio"
 strict="clang"
 peers="calculix-ccx python3-getfem r-cran-quadprog libsiconos-numerics-dev libsuitesparse-dev libmumps-seq-dev libopenblas-dev python3-cvxopt"
 parallel="libsuitesparse-dev libmumps-dev libopenmpi-dev openmpi-bin"
@@ -27,13 +27,13 @@ for group in "$@"; do
     build) wanted="$wanted $build" ;;
     book) wanted="$wanted $book" ;;
     check) wanted="$wanted $check" ;;
+    formats) wanted="$wanted $formats" ;;
     live) wanted="$wanted $live" ;;
     print) wanted="$wanted $print" ;;
-    readers) wanted="$wanted $readers" ;;
     strict) wanted="$wanted $strict" ;;
     peers) wanted="$wanted $peers" ;;
     parallel) wanted="$wanted $parallel" ;;
-    *) echo "setup.sh: unknown group '$group', expected build, book, check, live, print, readers, strict, parallel or peers" >&2; exit 2 ;;
+    *) echo "setup.sh: unknown group '$group', expected build, book, check, formats, live, print, strict, parallel or peers" >&2; exit 2 ;;
     esac
 done
 

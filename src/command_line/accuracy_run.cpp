@@ -10,6 +10,7 @@
 
 #include "addons/estimate/goal_words.hpp"
 #include "addons/steps/steps_limit.hpp"
+#include "command_line/attendance.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/core/wording.hpp"
@@ -97,12 +98,16 @@ AccuracyRun understood(const AccuracyWish& wish, const SceneRun& run) {
 
 void solve_to_accuracy(SceneRun& run, AccuracyRun& accuracy,
                        const std::function<void(const AccuracyRun&)>& observe) {
+  const Progress progress("mesh 1");
   AccurateSolution result = run.step([&] {
-    return signorini::solve_to_accuracy(run.file.scene, accuracy.wanted,
-                                        [&](const AccuracyRound& round) {
-                                          accuracy.rounds.push_back(round);
-                                          observe(accuracy);
-                                        });
+    return signorini::solve_to_accuracy(
+        run.file.scene, accuracy.wanted, [&](const AccuracyRound& round) {
+          accuracy.rounds.push_back(round);
+          progress.say("");
+          observe(accuracy);
+          progress.say(text("mesh ", accuracy.rounds.size() + 1, ", refined from one of ",
+                            round.unknowns, " unknowns"));
+        });
   });
   accuracy.met = result.met;
   accuracy.verdict = std::move(result.verdict);

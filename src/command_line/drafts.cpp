@@ -5,7 +5,6 @@
 #include <system_error>
 #include <utility>
 
-#include "command_line/interruption.hpp"
 #include "signorini/core/errors.hpp"
 
 namespace command_line {
@@ -49,9 +48,10 @@ void Drafts::add(const std::string& file) {
   require_input(!fs::exists(status) || fs::is_regular_file(status), "cannot write '", file,
                 "': this is no plain file");
   const std::string ending = fs::path(file).extension().string();
-  require_input(
-      ending != ".toml" && ending != ".msh" && ending != ".geo" && whole(file) != whole(read_),
-      "cannot write '", file, "': results do not replace scenes and meshes, take another name");
+  require_input(ending != ".toml" && ending != ".msh" && ending != ".geo" && ending != ".inp" &&
+                    whole(file) != whole(read_),
+                "cannot write '", file,
+                "': results do not replace scenes and meshes, take another name");
   for (const Entry& other : entries_)
     require_input(whole(other.file) != whole(file), "cannot write '", file,
                   "' twice: give every result a file of its own");
@@ -102,7 +102,6 @@ void Drafts::take_back() {
 }
 
 void Drafts::publish(const std::function<void()>& write) {
-  const Uninterrupted together;
   try {
     write();
   } catch (const ProblemError& error) {  // of a draft, which nobody has asked for by this name

@@ -6,8 +6,11 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <mutex>
+#include <set>
 #include <system_error>
 
+#include "command_line/attendance.hpp"
 #include "signorini/core/errors.hpp"
 
 namespace command_line {
@@ -25,6 +28,30 @@ int opened(const fs::path& name) {
   close(descriptor);
   errno = EWOULDBLOCK;
   return -1;
+}
+
+/// The names of the locks that this process has, for an interruption to remove.
+struct Held {
+  std::mutex guard;
+  std::set<fs::path> names;
+};
+
+Held& held() {
+  static Held all;
+  return all;
+}
+
+void remember(const fs::path& name) {
+  static const bool told = [] {
+    do_last([] {
+      const std::lock_guard<std::mutex> lock(held().guard);
+      for (const fs::path& one : held().names) unlink(one.c_str());
+    });
+    return true;
+  }();
+  static_cast<void>(told);
+  const std::lock_guard<std::mutex> lock(held().guard);
+  held().names.insert(name);
 }
 
 }  // namespace
@@ -48,9 +75,12 @@ FileLock::FileLock(const fs::path& file)
     fstat(descriptor_, &status);
     if (status.st_nlink == 0) close(descriptor_);
   }
+  remember(name_);
 }
 
 FileLock::~FileLock() {
+  const std::lock_guard<std::mutex> lock(held().guard);
+  held().names.erase(name_);
   unlink(name_.c_str());
   close(descriptor_);
 }

@@ -31,6 +31,19 @@ void add_problem(CLI::App& app, const char* name, const char* title, Request& re
       ->capture_default_str();
 }
 
+void declare_mesh(CLI::App& app, Request& request) {
+  CLI::App* const mesh = app.add_subcommand(
+      "mesh", "what is in a mesh: bodies, cells, quality, and boundaries that a scene can name");
+  mesh->add_option("FILE", request.file,
+                   "a file of Gmsh, an input file of CalculiX or Abaqus, or a scene; or - for "
+                   "standard input")
+      ->required();
+  mesh->add_flag("--json", request.json, "one JSON document instead of tables");
+  mesh->add_option("--plot", request.output.plot,
+                   "cells and boundaries, as a picture .svg, .png or .pdf, by gnuplot")
+      ->type_name("FILE");
+}
+
 void declare_solve(CLI::App& app, Request& request) {
   CLI::App* const solve =
       add_scene(app, "solve", "solves a scene and certifies the result", request);
@@ -50,7 +63,7 @@ void declare_solve(CLI::App& app, Request& request) {
       "time");
   add("--plot", request.output.plot, "FILE",
       "deformed meshes and the pressure of each contact, with friction also its shear, as a "
-      "picture .svg or .png, by gnuplot; of load steps the last");
+      "picture .svg, .png or .pdf, by gnuplot; of load steps the last");
   add("--state", request.output.state, "FILE", "where load steps are, kept up to date");
   add("--from", request.from, "FILE",
       "goes on from what --state wrote, to the same numbers; files keep the steps up to there, and "
@@ -77,7 +90,8 @@ void declare(CLI::App& app, Request& request) {
       "0 if the problem is solved and everything is written; 1 if it is not solved, and then no "
       "file is written, but of load steps what was good before, or if --accuracy is not met, and "
       "then the files are those of the last mesh; 2 if the input is wrong, or what was found could "
-      "not be printed or written.");
+      "not be printed or written. An interrupted run says what it has kept and ends by the signal, "
+      "which shells call 130 (Ctrl-C) or 143.");
   app.add_flag("--list", "the solvers, on which problems each may fail, and the back ends");
   app.add_flag("--keys", "the keys of scene files, in Markdown");
   app.add_flag("--man", "this help as a manual page");
@@ -86,6 +100,7 @@ void declare(CLI::App& app, Request& request) {
   add_scene(app, "plan", "what a scene calls for and what it will cost, without solving it",
             request);
   declare_solve(app, request);
+  declare_mesh(app, request);
   add_problem(app, "lcp", "z >= 0, w = M z + q >= 0, z'w = 0; Siconos or block format", request);
   add_problem(
       app, "friction",

@@ -9,6 +9,7 @@
 #include "addons/programme/dense_programme.hpp"
 #include "addons/programme/floating_programme.hpp"
 #include "command_line/ambiguity.hpp"
+#include "command_line/attendance.hpp"
 #include "papers/solver_table.hpp"
 #include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
@@ -58,6 +59,7 @@ std::vector<Outcome> candidates(const std::vector<Solver>& family, const std::st
 /// Runs `run` on a solver, and accepts a solution that the certificate confirms.
 template <typename Run>
 void attempt(Outcome& outcome, double tolerance, Run&& run) {
+  const Progress progress(text("solving by ", outcome.solver->name));
   const auto begin = std::chrono::steady_clock::now();
   try {
     run(outcome);

@@ -15,7 +15,9 @@
 #include <utility>
 
 #include "addons/text/text_reader.hpp"
+#include "command_line/attendance.hpp"
 #include "command_line/picture.hpp"
+#include "command_line/print.hpp"
 #include "command_line/scene_print.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/table.hpp"
@@ -176,39 +178,46 @@ std::string without_numbers(const std::string& note) {
   return kind;
 }
 
-/// The command that goes on from the state that is kept.
-std::string command_on(const SceneRun& run) {
-  const Output& output = run.file.output;
-  std::string command =
-      text("signorini solve ", run.file.name == standard_input ? "-" : run.file.name, " --from ",
-           output.state, " --state ", output.state);
+/// What goes on from the state that is asked for. \param file  that is solved
+std::string command_on(const std::string& file, const Output& output) {
+  std::string command = text("signorini solve ", file == standard_input ? "-" : file, " --from ",
+                             output.state, " --state ", output.state);
   if (!output.vtu.empty()) command += " --vtu " + output.vtu;
   if (!output.csv.empty()) command += " --csv " + output.csv;
   if (!output.plot.empty()) command += " --plot " + output.plot;
   return command;
 }
 
-constexpr const char* keep_states =
-    ". With --state FILE the next run can go on from there, by --from FILE";
-
 /// How the command goes on after a path that ended too early.
 std::string way_on(const SceneRun& run) {
   const PathState& state = run.end->state;
   if (state.steps == 0) return "";
-  if (run.file.output.state.empty()) return keep_states;
-  const std::string time = shortest(state.time);
+  const Output& output = run.file.output;
+  if (output.state.empty())
+    return ". With --state FILE the next run can go on from there, by --from FILE";
   std::string values;
   for (const History& history : run.file.scene.path->histories)
     values += text(values.empty() ? ", where " : ", ", history.name, " = ",
                    shortest(history.at(state.time)));
-  return text(". To go on from there: change what comes after time ", time, values,
-              run.end->limit ? "" : ", or halvings", "; then: ", command_on(run));
+  return text(". To go on from there: change what comes after time ", shortest(state.time), values,
+              run.end->limit ? "" : ", or halvings", "; then: ", command_on(run.file.name, output));
+}
+
+/// What is left of a path that is interrupted after a step.
+std::string kept(const std::string& file, const Output& output, const Step& step) {
+  const std::string time = shortest(step.state.time);
+  if (!output.state.empty())
+    return text("the steps up to time ", time, " are kept; to go on: ", command_on(file, output));
+  const char* const files = output.vtu.empty() && output.csv.empty()
+                                ? "nothing is kept of the steps up to time "
+                                : "the files have the steps up to time ";
+  return text(files, time, "; with --state FILE a run can go on from there, by --from FILE");
 }
 
 }  // namespace
 
 PathFiles::PathFiles(const SceneRun& run, const std::string& read)
-    : wanted_(run.file.output), drafts_(files_of_all_steps(wanted_), read) {}
+    : name_(run.file.name), wanted_(run.file.output), drafts_(files_of_all_steps(wanted_), read) {}
 
 void PathFiles::go_on(SceneRun& run, const std::string& file) {
   run.from = read_state(content_of(file), file);
@@ -267,6 +276,7 @@ std::string PathFiles::rows_of(const Model& model, const Step& step) {
 }
 
 void PathFiles::add(const Model& model, const Step& step) {
+  const Uninterrupted whole;
   if (!wanted_.csv.empty()) table_ += rows_of(model, step);
   // The rows come before the state: if all ends between the two, they are of a step that will be done again.
   if (begun_) append(wanted_.csv, table_);
@@ -285,27 +295,21 @@ void PathFiles::add(const Model& model, const Step& step) {
   });
   begun_ = !wanted_.csv.empty();
   table_.clear();
-}
-
-std::string PathFiles::left_after(const SceneRun& run, const PathState& state) const {
-  std::string files;
-  for (const std::string& file :
-       {wanted_.state, wanted_.csv, wanted_.vtu.empty() ? "" : collection(wanted_.vtu)})
-    if (!file.empty()) files += (files.empty() ? "" : ", ") + file;
-  return text(files.empty() ? "nothing was written" : files + " kept", " after step ", state.steps,
-              ", time ", shortest(state.time),
-              wanted_.state.empty() ? keep_states : ". To go on: " + command_on(run));
+  keeps(kept(name_, wanted_, step));
 }
 
 void PathFiles::finish(const SceneRun& run) {
   if (wanted_.plot.empty()) return;
+  const Progress progress("drawing");
+  const Uninterrupted whole;
   drafts_.publish([&] { draw(drafts_.begin(wanted_.plot), picture_kind(wanted_.plot), run); });
 }
 
 void PathTeller::begin(const SceneRun& run) {
   if (std::exchange(begun_, true)) return;
   if (as_json_) {
-    write_head(json_.object(), run);
+    begin_document(json_, "steps");
+    write_head(json_, run);
     json_.key("steps").array();
     return;
   }

@@ -30,9 +30,6 @@ class PathFiles {
   /// \param step   the next one
   /// \throws signorini::ProblemError if a file cannot be written, or the table has other columns before
   void add(const signorini::Model& model, const signorini::Step& step);
-  /// \param run    of the path \param state  after the step that was added last
-  /// \return what is kept if the run is interrupted now, and how to go on from there
-  [[nodiscard]] std::string left_after(const SceneRun& run, const signorini::PathState& state) const;
   /// Draws the picture of the last good step.
   /// \param run  after solve_scene(), with one good step or more
   /// \throws signorini::ProblemError if a file cannot be written or drawn
@@ -45,6 +42,7 @@ class PathFiles {
   void keep_fields(const signorini::PathState& from, const std::string& all);
   std::string rows_of(const signorini::Model& model, const signorini::Step& step);
 
+  std::string name_;  // of the scene
   signorini::Output wanted_;
   Drafts drafts_;
   signorini::PathState from_;

@@ -3,20 +3,15 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
 #include <limits>
 #include <sstream>
-#include <system_error>
 
-#include "command_line/figure_style.hpp"
 #include "command_line/scene_run.hpp"
 #include "command_line/traction_curves.hpp"
 #include "papers/field_csv.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/fem/stress.hpp"
-#include "signorini/report/results.hpp"
 
 namespace command_line {
 namespace {
@@ -24,22 +19,7 @@ namespace {
 using namespace signorini;
 using Eigen::Index;
 
-/// A text between quotes of gnuplot or of the shell. \param quote  how a quote is written in it
-std::string quoted(const std::string& text, const char* quote) {
-  std::string result = "'";
-  for (const char c : text) result += c == '\'' ? quote : std::string(1, c);
-  return result + "'";
-}
-std::string for_gnuplot(const std::string& text) { return quoted(text, "''"); }
-std::string for_shell(const std::string& text) { return quoted(text, "'\\''"); }
-
 using Box = Eigen::AlignedBox<double, 2>;
-
-/// 1, 2 or 5 times a power of ten, not above a positive number.
-double round_down(double wanted) {
-  const double ten = std::pow(10, std::floor(std::log10(wanted)));
-  return ten * (wanted >= 5 * ten ? 5 : wanted >= 2 * ten ? 2 : 1);
-}
 
 /// The box of all nodes, displaced.
 Box box_of(const SceneRun& run, double scale) {
@@ -58,12 +38,6 @@ double magnification(const SceneRun& run) {
   for (const NodeArray& u : run.solution->displacements)
     most = std::max(most, u.rowwise().norm().maxCoeff());
   return most > 0 ? round_down(box_of(run, 0).diagonal().norm() / 12 / most) : 1;
-}
-
-/// A range for gnuplot, which refuses one without a length.
-std::string range(double from, double to) {
-  const double margin = to > from ? 0 : std::max(1e-6 * std::abs(to), 1e-300);
-  return text('[', shortest(from - margin), ':', shortest(to + margin), ']');
 }
 
 /// The deformed cells of all bodies, one after another, with von Mises' stress in their middle.
@@ -176,14 +150,9 @@ std::string script(const std::filesystem::path& file, PictureKind kind, const Sc
   Index n_cells = 0;
   for (const BodyModel& body : run.model->bodies) n_cells += body.mesh.n_cells();
   std::ostringstream gp;
-  gp << "out = " << for_gnuplot(file.string()) << "\nwidth = " << panel_width
-     << "; height = " << layout.height << '\n'
-     << figure_style;
+  gp << picture_head(file, kind, panel_width, layout.height);
   const Cells stress = cells(run, scale);
-  gp << "set terminal " << (kind == PictureKind::Png ? "pngcairo" : "svg dynamic")
-     << " size width,height font sprintf('DejaVu Sans,%g', width/60.0) background '#ffffff'\n"
-     << "set output out\nunset key\n$cells << EOD\n"
-     << stress.csv << "EOD\n";
+  gp << "unset key\n$cells << EOD\n" << stress.csv << "EOD\n";
   const auto block = [](std::size_t k) { return text("$contact", k); };
   for (std::size_t k = 0; k < curves.size(); ++k)
     gp << block(k) << " << EOD\n" << curves[k].csv << "EOD\n";
@@ -199,52 +168,10 @@ std::string script(const std::filesystem::path& file, PictureKind kind, const Sc
   return gp.str();
 }
 
-/// A file that goes away again.
-class Passing {
- public:
-  explicit Passing(std::filesystem::path file) : file_(std::move(file)) {}
-  ~Passing() {
-    std::error_code ignored;
-    std::filesystem::remove(file_, ignored);
-  }
-  Passing(const Passing&) = delete;
-  Passing& operator=(const Passing&) = delete;
-  Passing(Passing&&) = delete;
-  Passing& operator=(Passing&&) = delete;
-  [[nodiscard]] const std::filesystem::path& file() const { return file_; }
-
- private:
-  std::filesystem::path file_;
-};
-
 }  // namespace
 
-PictureKind picture_kind(const std::string& file) {
-  const std::string ending = std::filesystem::path(file).extension().string();
-  require_input(ending == ".svg" || ending == ".png", "--plot: expected a file .svg or .png, got '",
-                file, '\'');
-  return ending == ".svg" ? PictureKind::Svg : PictureKind::Png;
-}
-
 void draw(const std::filesystem::path& file, PictureKind kind, const SceneRun& run) {
-  const Passing gp(file.string() + ".gp");
-  const Passing log(file.string() + ".log");
-  write_file(gp.file(), script(file, kind, run));
-  const std::string command =
-      "gnuplot " + for_shell(gp.file().string()) + " > " + for_shell(log.file().string()) + " 2>&1";
-  const int status = std::system(command.c_str());
-  std::ifstream said(log.file());
-  std::string first;
-  while (std::getline(said, first) && first.find_first_not_of(" \t\r") == std::string::npos) {
-  }
-  constexpr int not_found = 127 << 8;
-  require_input(
-      status != not_found,
-      "--plot: there is no gnuplot; install it, such as the package gnuplot-nox, or leave the "
-      "picture out");
-  std::error_code failed;
-  require_input(status == 0 && std::filesystem::file_size(file, failed) > 0 && !failed,
-                "--plot: gnuplot could not draw: ", first.empty() ? "no picture" : first);
+  run_gnuplot(file, script(file, kind, run));
 }
 
 }  // namespace command_line

@@ -1,19 +1,12 @@
 // Pictures of a solved scene, drawn by gnuplot.
 #pragma once
 #include <filesystem>
-#include <string>
+
+#include "command_line/gnuplot.hpp"
 
 namespace command_line {
 
 struct SceneRun;
-
-/// What gnuplot can be asked for.
-enum class PictureKind { Svg, Png };
-
-/// \param file  that will hold a picture
-/// \return the kind that its name ends with
-/// \throws signorini::ProblemError unless that is .svg or .png
-PictureKind picture_kind(const std::string& file);
 
 /// Draws the deformed meshes, coloured by von Mises' stress, and below them each contact: the pressure along its source,
 /// and with friction the shear traction between its bounds.

@@ -149,7 +149,15 @@ void write_outcomes(Json& json, const std::vector<Outcome>& outcomes, bool solve
   json.end();
 }
 
+/// Of the documents. It grows by 1 when a member goes, or means something else; not when one is added.
+constexpr Index format_version = 1;
+
 }  // namespace
+
+void begin_document(Json& json, const char* kind) {
+  json.object().key("format").value("signorini").key("version").value(format_version);
+  json.key("program").value(SIGNORINI_VERSION).key("kind").value(kind);
+}
 
 void write(Json& json, const Certificate& certificate) {
   json.object();

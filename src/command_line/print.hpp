@@ -12,6 +12,11 @@ namespace command_line {
 /// Solutions of more unknowns than this are not printed, only written as JSON.
 constexpr Eigen::Index largest_printed = 30;
 
+/// Begins a document: what it is, so that who reads it can tell. docs/signorini.schema.json describes all of it.
+/// \param json  new
+/// \param kind  "plan", "solution", "steps" or "accuracy" of a scene; "lcp", "friction" or "qp"
+void begin_document(signorini::Json& json, const char* kind);
+
 /// Prints the family of solvers with the traits on which each may fail, and that of back ends.
 /// \param out  where to
 void print_family(std::ostream& out);

@@ -203,7 +203,7 @@ void write_keys(Json& json, const SceneRun& run) {
 }
 
 void write(Json& json, const SceneRun& run) {
-  json.object();
+  begin_document(json, run.solution ? "solution" : "plan");
   write_keys(json, run);
   json.end();
 }

@@ -1,16 +1,14 @@
 #include "command_line/scene_run.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <chrono>
 #include <iostream>
 #include <iterator>
 #include <utility>
 
-#include "addons/files/problem_file.hpp"
 #include "addons/steps/steps_limit.hpp"
 #include "addons/text/text_reader.hpp"
+#include "command_line/attendance.hpp"
 #include "command_line/overdue.hpp"
 #include "command_line/picture.hpp"
 #include "papers/solver_table.hpp"
@@ -24,26 +22,6 @@ namespace command_line {
 namespace {
 
 using namespace signorini;
-
-/// What takes back the last line of a terminal; nothing where the error stream is none.
-const char* taking_back() { return isatty(STDERR_FILENO) == 1 ? "\r\033[K" : ""; }
-
-/// One line on the error stream that says what is being done; none unless that is a terminal.
-class Progress {
- public:
-  Progress() = default;
-  ~Progress() { say(""); }
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
-  Progress(Progress&&) = delete;
-  Progress& operator=(Progress&&) = delete;
-  void say(const std::string& what) const {
-    if (*back_ != 0) std::cerr << back_ + what << std::flush;
-  }
-
- private:
-  const char* back_ = taking_back();
-};
 
 /// The plan for build(). Large members that are not read any more are moved out of the other plan.
 Plan taken_out(Plan& plan) {
@@ -86,8 +64,7 @@ void follow(SceneRun& run, Ledger ledger, const StepObserver& observe, const Pro
     const std::chrono::duration<double> gone = std::chrono::steady_clock::now() - begin;
     const double steps = static_cast<double>(run.ledgers.size());
     const auto rest = left(step.state.time);
-    progress.say(text("step ", step.state.steps, " at time ", step.state.time, ", ",
-                      step.solution.contact.report.iterations, " iterations, ", rest,
+    progress.say(text("step ", step.state.steps, " at time ", step.state.time, ", ", rest,
                       " to go, about ",
                       number(gone.count() / steps * static_cast<double>(rest), "%.2g"), " s left"));
   };
@@ -99,13 +76,13 @@ void follow(SceneRun& run, Ledger ledger, const StepObserver& observe, const Pro
 
 }  // namespace
 
-std::string content_of(const std::string& file) {
+std::string content_of(const std::string& file, std::size_t most) {
   if (file == "-") {
     std::string content{std::istreambuf_iterator<char>(std::cin), {}};
     require_input(!std::cin.bad(), standard_input, ": cannot be read");
     return content;
   }
-  return file_content(file, std::max(largest_scene_file, largest_problem_file));
+  return file_content(file, most);
 }
 
 std::filesystem::path folder_of(const std::string& file) {
@@ -148,6 +125,7 @@ const std::vector<std::string>& SceneRun::notes() const {
 
 SceneRun plan_scene(const std::string& file, const Means& means, const char* command) {
   const std::string name = file == "-" ? standard_input : file;
+  const Progress progress(text("reading ", name));
   const std::string content = content_of(file);
   if (means.team != nullptr) means.team->tell(content);
   SceneRun run;
@@ -155,6 +133,7 @@ SceneRun plan_scene(const std::string& file, const Means& means, const char* com
                           [&] { return parse_scene(content, name, folder_of(file)); });
   if (!means.solver.empty()) run.file.scene.solver = find_solver(means.solver);
   run.file.scene.backend = find_backend(means.backend);
+  progress.say("planning");
   run.plan = at_file(run.file, [&] { return plan(run.file.scene); });
   add_notes(run.file.notes, run.plan.notes);
   run.prediction = run.step([&] { return predict(run.plan); });
@@ -168,21 +147,22 @@ void solve_scene(SceneRun& run, const StepObserver& observe) {
   };
   const auto total = std::find_if(run.prediction.figures.begin(), run.prediction.figures.end(),
                                   [](const auto& one) { return one.phase == all_phases; });
-  const std::string all = text(to_string(total->certainty), ' ', total->amount, " s: ");
+  const std::string all =
+      text(", ", to_string(total->certainty), ' ', number(total->amount, "%.2g"), " s in all");
   Ledger ledger;
-  progress.say(text(all, "assembling ", figure("assembly", "unknowns"), " unknowns"));
+  progress.say(text("assembling ", figure("assembly", "unknowns"), " unknowns", all));
   {
     const Overdue overdue = watch(assembling(), run);
     run.model = run.step([&] { return build(taken_out(run.plan), ledger); });
   }
-  progress.say(text(all, "factoring, ", figure("factor/numeric", "operations"), " operations, and ",
-                    figure("assembly", "rows"), " contact rows"));
+  progress.say(text("factoring, ", figure("factor/numeric", "operations"), " operations, and ",
+                    figure("assembly", "rows"), " contact rows", all));
   if (run.file.scene.path) return follow(run, std::move(ledger), observe, progress);
   const Condensed condensed = [&] {
     const Overdue overdue = watch(condensing(), run);
     return run.step([&] { return condense(*run.model, ledger); });
   }();
-  progress.say(text(all, "solving"));
+  progress.say(text("solving", all));
   const Overdue overdue = watch(solving(), run);
   run.solution =
       run.step([&] { return solve_to_limit(run.file.scene, *run.model, condensed, ledger); });
@@ -198,12 +178,15 @@ std::vector<std::string> files_of(const Output& output) {
 
 void write_outputs(const SceneRun& run, Drafts& drafts) {
   const Output& wanted = run.file.output;
+  const Progress progress("writing files");
+  const Uninterrupted whole;
   drafts.publish([&] {
     if (!wanted.vtu.empty()) write_vtu(drafts.begin(wanted.vtu), *run.model, *run.solution);
     if (!wanted.csv.empty())
       write_file(drafts.begin(wanted.csv), pressure_csv(*run.model, *run.solution));
     if (!wanted.plot.empty()) draw(drafts.begin(wanted.plot), picture_kind(wanted.plot), run);
   });
+  keeps("all files were written");
 }
 
 }  // namespace command_line

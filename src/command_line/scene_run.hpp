@@ -1,10 +1,13 @@
 // A scene file from its text to a solution, and the files that were asked for.
 #pragma once
+#include <algorithm>
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "addons/files/problem_file.hpp"
 #include "addons/files/scene_file.hpp"
 #include "addons/frontal/backend.hpp"
 #include "addons/prediction/prediction.hpp"
@@ -18,9 +21,12 @@ namespace command_line {
 constexpr const char* standard_input = "standard input";
 
 /// \param file  a name, or `-` for standard input
+/// \param most  bytes that a file may have
 /// \return all of it
 /// \throws signorini::ProblemError if it cannot be read
-std::string content_of(const std::string& file);
+std::string content_of(const std::string& file,
+                       std::size_t most = std::max(signorini::largest_scene_file,
+                                                   signorini::largest_problem_file));
 
 /// \param file  a name, or `-` for standard input
 /// \return where files that its text names are looked for

@@ -1,5 +1,5 @@
 // The program `signorini`: solves problems from files with the solvers of the book.
-// Run:  signorini plan|solve|lcp|friction|qp FILE [options];  signorini --list | --man | --version
+// Run:  signorini plan|solve|mesh|lcp|friction|qp FILE [options];  signorini --list | --man | --version
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <iostream>
@@ -13,11 +13,12 @@
 
 #include "addons/files/scene_file.hpp"
 #include "command_line/accuracy_run.hpp"
+#include "command_line/attendance.hpp"
 #include "command_line/backends.hpp"
 #include "command_line/man.hpp"
+#include "command_line/mesh_run.hpp"
 #include "command_line/options.hpp"
 #include "command_line/outcome.hpp"
-#include "command_line/interruption.hpp"
 #include "command_line/path_run.hpp"
 #include "command_line/picture.hpp"
 #include "command_line/print.hpp"
@@ -44,6 +45,7 @@ const char* command_of(const ProblemFile& file) {
 
 /// The problem of the file, for one of the commands that take such files.
 ProblemFile read(const Request& request, const std::string& command) {
+  const command_line::Progress progress(text("reading ", request.name()));
   const std::string content = command_line::content_of(request.file);
   ProblemFile file = command_line::read_or_hint(request.name(), content, command.c_str(), [&] {
     return parse_problem(content, request.name());
@@ -58,8 +60,9 @@ ProblemFile read(const Request& request, const std::string& command) {
 template <typename Problems>
 void write_document(const Request& request, const char* kind, Problems&& problems) {
   Json json;
-  json.object().key("file").value(request.name()).key("kind").value(kind);
-  json.key("tolerance").value(request.tolerance).key("problems").array();
+  command_line::begin_document(json, kind);
+  json.key("file").value(request.name()).key("tolerance").value(request.tolerance);
+  json.key("problems").array();
   problems(json);
   json.end().end();
   std::cout << json.text();
@@ -135,6 +138,24 @@ int plan_scene(const Request& request) {
               command_line::print_plan);
 }
 
+int tell_of_mesh(const Request& request) {
+  const std::string& plot = request.output.plot;
+  if (!plot.empty()) static_cast<void>(command_line::picture_kind(plot));
+  command_line::Drafts drafts(command_line::files_of(request.output), request.file);
+  const command_line::MeshRun run = command_line::read_meshes(request.file);
+  if (request.json) {
+    Json json;
+    command_line::write(json, run);
+    std::cout << json.text();
+  } else {
+    command_line::print(std::cout, run);
+  }
+  if (!plot.empty())
+    drafts.publish(
+        [&] { command_line::draw(drafts.begin(plot), command_line::picture_kind(plot), run); });
+  return command_line::usable(run) ? solved : not_solved;
+}
+
 /// Solves a scene with load steps; what is asked for is in run.
 int solve_path(const Request& request, const Team* team, command_line::SceneRun& run) {
   command_line::PathFiles files(run, request.file);
@@ -142,7 +163,6 @@ int solve_path(const Request& request, const Team* team, command_line::SceneRun&
   command_line::PathTeller teller(std::cout, request.json, files.late());
   command_line::solve_scene(run, [&](const Model& model, const Step& step) {
     files.add(model, step);
-    command_line::keep_in_mind(files.left_after(run, step.state));
     teller.tell(run, model, step);
   });
   if (run.solution) command_line::count_members(team, run.processes);
@@ -162,7 +182,7 @@ int solve_accurately(const Request& request, const Team* team, command_line::Sce
   command_line::count_members(team, run.solution->ledger);
   if (request.json) {
     Json json;
-    json.object();
+    command_line::begin_document(json, "accuracy");
     command_line::write(json, accuracy);
     command_line::write_keys(json, run);
     json.end();
@@ -265,7 +285,8 @@ bool answered(const CLI::App& app) {
 /// \param end  is set if other processes wait for the exit code
 int run(int argc, char** argv, std::function<void(int)>& end) {
   const char* const expected =
-      "expected plan FILE, solve FILE, lcp FILE, friction FILE, qp FILE, --list, --keys, --man or "
+      "expected plan FILE, solve FILE, mesh FILE, lcp FILE, friction FILE, qp FILE, --list, "
+      "--keys, --man or "
       "--version. Try signorini --help";
   Request request;
   CLI::App app(
@@ -291,10 +312,11 @@ int run(int argc, char** argv, std::function<void(int)>& end) {
   if (answered(app)) return solved;
   require_input(!app.get_subcommands().empty(), expected);
   const std::string command = app.get_subcommands().front()->get_name();
-  const bool scene = command == "plan" || command == "solve";
+  const bool scene = command == "plan" || command == "solve" || command == "mesh";
   request.tolerance = tolerance_of(request.tolerance_text);
   check_solver(request.solver, !scene);
   if (command == "plan") return plan_scene(request);
+  if (command == "mesh") return tell_of_mesh(request);
   if (command == "solve") return solve_with_backend(request, end);
   return command == "qp" ? solve_qp(request) : solve_pairs(request, command.c_str());
 }
@@ -321,7 +343,8 @@ int main(int argc, char** argv) {
 #ifdef __GLIBC__
   mallopt(M_MMAP_THRESHOLD, 1 << 20);  // so that what a phase frees goes back to the system
 #endif
-  command_line::answer_interruptions();
+  std::optional<command_line::Attendance> attendance;
+  if (command_line::launched().rank == 0) attendance.emplace();  // of several processes one speaks
   std::function<void(int)> end;
   const int code = guarded_run(argc, argv, end);
   if (end) end(code);

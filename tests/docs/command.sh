@@ -81,8 +81,8 @@ expect 2 'missing: there is no such file' lcp missing
 expect 2 'this is a folder' qp "$qp"
 expect 2 'FILE is required: signorini qp FILE\. Try signorini qp --help' qp
 expect 2 'FILE is required: signorini solve FILE\. Try signorini solve --help' solve
-expect 2 'expected plan FILE, solve FILE, lcp FILE, friction FILE, qp FILE, --list'
-expect 2 "unknown command 'foo'; there are: plan, solve, lcp, friction, qp" foo odd
+expect 2 'expected plan FILE, solve FILE, mesh FILE, lcp FILE, friction FILE, qp FILE, --list'
+expect 2 "unknown command 'foo'; there are: plan, solve, mesh, lcp, friction, qp" foo odd
 expect 2 "unknown command 'plna'; did you mean 'plan'\?" plna odd
 expect 2 "--solver: unknown solver 'lemk'; did you mean 'lemke'\?" lcp odd --solver lemk
 expect 2 "unknown option '--vtuu'; did you mean '--vtu'\?" solve odd --vtuu x
@@ -179,16 +179,40 @@ expect 2 "cannot write 'nowhere/a.vtu'" solve "$cantilever" --csv outputs/a.csv 
 expect 2 "cannot write 'outputs': this is no plain file" solve "$cantilever" --csv outputs --vtu outputs/a.vtu
 expect 2 "cannot write '/dev/null': this is no plain file" solve "$cantilever" --csv /dev/null
 expect 2 "cannot write './outputs/a' twice: give every result a file of its own" solve "$cantilever" --vtu outputs/a --csv ./outputs/a
-expect 2 "--plot: expected a file .svg or .png, got 'outputs/a.jpg'" solve "$cantilever" --plot outputs/a.jpg --csv outputs/a.csv
+expect 2 "--plot: expected a file .svg, .png or .pdf, got 'outputs/a.jpg'" solve "$cantilever" --plot outputs/a.jpg --csv outputs/a.csv
 written ''
 holds 'a device stays one' test -c /dev/null
 if command -v gnuplot > /dev/null 2>&1; then
     expect 0 solved solve "$cantilever" --plot "outputs/it's.svg"
     holds 'a picture' grep -q '</svg>' "outputs/it's.svg"
     expect 0 solved solve "$examples/punch.toml" --plot outputs/a.png
-    written "a.png
+    expect 0 solved solve "$examples/punch.toml" --plot outputs/a.pdf
+    expect 0 '1 body' mesh "$cantilever" --plot outputs/b.pdf
+    for drawn in a.pdf b.pdf; do
+        holds "$drawn is a PDF" test "$(head -c 5 outputs/$drawn)" = '%PDF-'
+    done
+    expect 0 '2 bodies' mesh "$examples/wheel_on_rail.msh" --plot outputs/b.svg
+    for way in wheel.hub wheel.tread rail.base rail.top; do
+        holds "$way in a picture" grep -Fq "$way" outputs/b.svg
+    done
+    written "a.pdf
+a.png
+b.pdf
+b.svg
 it's.svg"
 fi
+# Meshes.
+printf 'CDF\001' > exodus
+expect 0 "^  rest +12 +12  \(6, 0\), \(-6, 0\)$" mesh "$examples/stamp.inp"
+expect 0 "^  tread +32 +125\.62  \(-40, 40\), \(40, 40\)$" mesh "$examples/wheel_on_rail.msh"
+expect 0 "^body 'disc': 685 nodes, 640 quadrilaterals of 4 nodes$" mesh "$examples/hertz.toml"
+expect 0 "^  region 'Upper': 4 cells$" mesh "$data/inp/layers.toml"
+expect 0 '^further element sets, for set = "NAME": both \(6 cells\)$' mesh - < "$data/inp/two_blocks.inp"
+expect 1 "^  cannot be taken: mesh 'body': cell 0 is degenerate" mesh "$data/inp/inverted.inp"
+expect 2 'missing.msh: there is no such file' mesh missing.msh
+expect 2 'this is a netCDF file, as Exodus is; meshio convert FILE' mesh exodus
+expect 2 "cannot write 'a.inp': results do not replace scenes and meshes" solve "$cantilever" --csv a.inp
+expect 2 '--plot: expected a file .svg' mesh "$examples/stamp.inp" --plot a.eps
 echo mine > outputs/a.csv.draft1
 echo mine > outputs/a.csv
 expect 0 solved solve "$cantilever" --vtu outputs/a.csv.draft2 --csv outputs/a.csv

@@ -22,7 +22,7 @@ sub slurp {
 my $makefile = slurp('Makefile');
 my $options  = join '', map { slurp($_) } glob('src/command_line/*.cpp');
 my %group    = map { $_ => 1 } slurp('tools/setup.sh') =~ /^    (\w+)\) wanted=/mg;
-my %command  = map { $_ => 1 } $options =~ /\bapp,\s*"(\w+)"/g;
+my %command  = map { $_ => 1 } $options =~ m{\bapp(?:,|\.add_subcommand\()\s*"(\w+)"}g;
 die "named.pl: found no groups or no commands\n" if !%group || !%command;
 
 sub exists_target {

@@ -3,7 +3,7 @@
 
 What PROGRAM writes, read by others. VTU files of scenes of SOURCES by VTK, on which ParaView is built, and by meshio: both must find
 the same points, cells, fields and names, and the digits that are in the text. Writes to FOLDER. What is not installed is left out; if
-nothing is (tools/setup.sh readers), the status is 77.
+nothing is (tools/setup.sh formats), the status is 77.
 """
 import os
 import re

@@ -30,7 +30,7 @@ $ENV{PATH} = abs_path('programs') . ":$ENV{PATH}";
 sub comparable {
     my ($said) = @_;
     $said =~ s/^( *)"(?:ledger|predicted|processes|certificate)": [\[{]\n(?:\1 .*\n)*\1[\]}],?\n//mg;
-    $said =~ s/^ *"(?:seconds|estimating|method)": .*\n//mg;
+    $said =~ s/^ *"(?:seconds|estimating|method|program)": .*\n//mg;
     $said =~ s/^phase +(?:seconds|figure) .*\n(?:\S.*\n|  .*\n)*//mg;
     $said =~ s/^  once\n(?:.*\n)*//m;
     $said =~ s/^certificate: .*/certificate: .../mg;

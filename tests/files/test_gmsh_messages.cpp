@@ -72,12 +72,15 @@ TEST_CASE("files of other programs are called by their names, with what to do", 
        to_convert},
       {"<?xml version=\"1.0\"?>\n<mesh>\n", "an XML file", to_convert},
       {"** made by a program\n*Heading\n*NODE\n1, 0, 0\n", "an Abaqus or CalculiX input file",
-       to_convert},
+       "take kind = \"inp\""},
       {"*KEYWORD\n*NODE\n", "an LS-DYNA file", to_convert},
       {"$ a remark\nGRID    1       0       0.0     0.0     0.0\n", "a Nastran file", to_open},
       {"SOL 101\nCEND\nBEGIN BULK\n", "a Nastran file", to_open},
-      {"\x89HDF\r\n\x1a\n and more", "an HDF5 file, as MED and CGNS are", to_open},
-      {"CDF\x01 and more", "a netCDF file, as Exodus is", to_convert},
+      {"\x89HDF\r\n\x1a\n and more", "an HDF5 file, as MED and CGNS are",
+       "tools/med2inp.py makes an input file"},
+      {"CDF\x01 and more", "a netCDF file, as Exodus is", "meshio convert FILE NEW.inp"},
+      {"TITRE\nplate\nFINSF\nCOOR_2D\n", "a mesh of Code_Aster as text", to_convert},
+      {"Begin Properties 0\nEnd Properties\nBegin Nodes\n", "a model part of Kratos", to_convert},
       {"ISO-10303-21;\nHEADER;\n", "a STEP file", to_mesh},
       {"DBRep_DrawableShape\n\nCASCADE Topology V3\n", "a BREP file", to_mesh},
       {" MeshVersionFormatted 2\n Dimension\n 3\n", "an INRIA mesh file", to_open},
@@ -210,7 +213,8 @@ TEST_CASE("cells of 8 nodes fit to their neighbours, and are not mixed with thos
              StartsWith("file:24: expected a cell of 3 nodes per side as in line 23, got 2"));
 }
 
-TEST_CASE("names that nothing bears, or that two bear, are refused", "[mesh][gmsh]") {
+TEST_CASE("names that two bear are refused, and names of nothing if no element is in a group",
+          "[mesh][gmsh]") {
   const auto named = [&](const std::string& names, const std::string& elements) {
     return complaint(format + "$PhysicalNames\n2\n" + names + "$EndPhysicalNames\n" + nodes +
                      "$Elements\n2\n" + elements + "$EndElements\n");
@@ -218,8 +222,10 @@ TEST_CASE("names that nothing bears, or that two bear, are refused", "[mesh][gms
   const std::string two = "1 3 2 1 1 1 2 5 6\n2 3 2 2 1 2 3 4 5\n";
   CHECK(named("2 1 \"a\"\n2 2 \"b\"\n", two).empty());
   CHECK_THAT(named("2 1 \"a\"\n2 2 \"a\"\n", two), ContainsSubstring("two physical surfaces are"));
-  CHECK_THAT(named("2 1 \"a\"\n1 3 \"rim\"\n", two),
-             StartsWith("file:1: nothing in the file is in the physical curve 'rim'"));
+  CHECK(named("2 1 \"a\"\n1 3 \"rim\"\n", two).empty());
+  CHECK_THAT(
+      named("2 1 \"a\"\n1 3 \"rim\"\n", "1 3 2 0 1 1 2 5 6\n2 3 2 0 1 2 3 4 5\n"),
+      StartsWith("file:1: nothing in the file is in a physical group, not in the curve 'rim'"));
   CHECK_THAT(named("2 1 \"a\"\n2 1 \"b\"\n", two), StartsWith("file:7: physical group 1"));
   CHECK_THAT(named("2 1 a\n", two), StartsWith("file:6: expected a name in quotation marks"));
 }

@@ -52,6 +52,11 @@ inline std::string check_read(const signorini::Mesh& mesh) {
   return extent > 1e150 || area_by_rim(mesh) > -1e-12 * extent * extent ? "" : "negative area";
 }
 
+/// Whether a message begins with the name and a line. \param message  of an error \return whether
+inline bool names_line(const std::string& message) {
+  return message.rfind("name:", 0) == 0 && message.find(": ", 5) != message.npos;
+}
+
 /// Reads a text as a Gmsh file.
 /// \param content  any bytes
 /// \return what is wrong, or empty; a crash or an exception of another kind is wrong as well
@@ -67,8 +72,7 @@ inline std::string check_gmsh(std::string_view content) {
     return names.empty() ? "no mesh" : "";
   } catch (const ProblemError& error) {
     const std::string message = error.what();
-    const bool names_line = message.rfind("name:", 0) == 0 && message.find(": ", 5) != message.npos;
-    return names_line && message.size() < 500 ? "" : "message: " + message;
+    return names_line(message) && message.size() < 500 ? "" : "message: " + message;
   }
 }
 

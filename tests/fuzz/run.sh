@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 seconds=${1:-600}
 shift || true
-[ $# -gt 0 ] || set -- read_scene read_problem read_gmsh
+[ $# -gt 0 ] || set -- read_scene read_problem read_gmsh read_inp
 fuzz=build/presets/fuzz
 cmake --preset fuzz --log-level=NOTICE
 # shellcheck disable=SC2046 # several targets
@@ -16,6 +16,7 @@ for reader in "$@"; do
     case $reader in
     read_scene) texts=fuzz_corpus_scene words=scene.dict ;;
     read_gmsh) texts=fuzz_corpus_gmsh words=gmsh.dict ;;
+    read_inp) texts=inp words=inp.dict ;;
     *) texts=fuzz_corpus words=words.dict ;;
     esac
     mkdir -p "$fuzz/$reader"

@@ -40,22 +40,17 @@ void check_plane(const GmshRecords& file) {
     }
 }
 
-/// Refuses names of curves and surfaces that nothing in the file bears.
+/// Refuses a file with names of curves and surfaces of which nothing in the file bears one.
 void check_names(const GmshRecords& file) {
-  std::set<GmshGroups::Key> borne;
-  const auto add = [&](int dimension, const std::vector<GmshElement>& elements) {
-    for (const GmshElement& element : elements)
-      for (const std::int64_t tag : file.groups.tags(element.groups))
-        borne.insert({dimension, tag});
-  };
-  add(1, file.lines);
-  add(2, file.cells);
+  const auto bears = [&](const GmshElement& element) { return element.groups != 0; };
+  const bool any = std::any_of(file.lines.begin(), file.lines.end(), bears) ||
+                   std::any_of(file.cells.begin(), file.cells.end(), bears);
   for (const auto& [group, name] : file.groups.names())
-    require_input((group.first != 1 && group.first != 2) || borne.count(group) != 0, file.name,
-                  ":1: nothing in the file is in the physical ",
+    require_input(any || (group.first != 1 && group.first != 2), file.name,
+                  ":1: nothing in the file is in a physical group, not in the ",
                   group.first == 1 ? "curve" : "surface", " '", name,
-                  "'; mesh it before saving, with Mesh.SaveAll = 0 (1 loses the groups in version",
-                  " 2.2), or take the name away");
+                  "' either; mesh it before saving, with Mesh.SaveAll = 0 (1 loses the groups in "
+                  "version 2.2), or take the names away");
 }
 
 /// Which cells are whose. Without physical surfaces all have the tag 0.
@@ -66,12 +61,12 @@ CellsByTag cells_by_tag(const GmshRecords& file) {
   for (std::size_t k = 0; k < file.cells.size(); ++k) {
     const GmshElement& cell = file.cells[k];
     const std::vector<std::int64_t>& tags = file.groups.tags(cell.groups);
-    require_input(
-        !grouped || !tags.empty(), file.name, ":", cell.line,
-        ": this cell is in no physical surface, though others are; put its surface into one, or "
-        "set Mesh.SaveAll = 0 to leave it out");
+    require_input(!grouped || !tags.empty(), file.name, ":", cell.line, ": this cell is in no ",
+                  file.surface,
+                  ", though others are; put its surface into one, or "
+                  "set Mesh.SaveAll = 0 to leave it out");
     require_input(tags.size() <= 1, file.name, ":", cell.line, ": this cell is in ", tags.size(),
-                  " physical surfaces; each is a body of its own, leave it in one");
+                  " ", file.surface, "s; each is a body of its own, leave it in one");
     result[grouped ? tags.front() : 0].push_back(k);
   }
   return result;
@@ -107,7 +102,7 @@ std::vector<SurfacesOfBody> surfaces_of_bodies(const GmshRecords& file, const Gm
   for (const auto& [body, surfaces] : parts)
     for (const std::string& surface : surfaces) {
       const std::string& first = body_of.emplace(surface, body).first->second;
-      require_input(first == body, file.name, ":1: the physical surface '", surface,
+      require_input(first == body, file.name, ":1: the ", file.surface, " '", surface,
                     "' is to be part of '", first, "' and of '", body, "'; leave it in one");
     }
   std::vector<SurfacesOfBody> bodies;
@@ -115,21 +110,21 @@ std::vector<SurfacesOfBody> surfaces_of_bodies(const GmshRecords& file, const Gm
   for (auto& [tag, source] : cells_by_tag(file)) {
     const std::string surface = tag == 0 ? Mesh().name : file.groups.name(2, tag);
     require_input(names.insert(surface).second, file.name, ":", file.cells[source.front()].line,
-                  ": two physical surfaces are named '", surface, "'; rename one");
+                  ": two ", file.surface, "s are named '", surface, "'; rename one");
     const auto part = body_of.find(surface);
     const std::string& name = part == body_of.end() ? surface : part->second;
     auto body = std::find_if(bodies.begin(), bodies.end(),
                              [&](const SurfacesOfBody& one) { return one.name == name; });
     if (body == bodies.end()) body = bodies.insert(bodies.end(), {name, part != body_of.end()});
     require_input(body->has_parts == (part != body_of.end()), file.name, ":",
-                  file.cells[source.front()].line, ": the physical surface '", surface,
+                  file.cells[source.front()].line, ": the ", file.surface, " '", surface,
                   "' and a body of several are both named '", name, "'; rename one");
     body->surfaces.emplace_back(surface, std::move(source));
   }
   std::string known;
   for (const std::string& name : names) known += (known.empty() ? "'" : ", '") + name + "'";
   for (const auto& [surface, body] : body_of)
-    require_input(names.count(surface) != 0, file.name, ":1: there is no physical surface '",
+    require_input(names.count(surface) != 0, file.name, ":1: there is no ", file.surface, " '",
                   surface, "' for the body '", body, "'; there are: ", known);
   return bodies;
 }
@@ -144,7 +139,7 @@ std::size_t width_of(const GmshRecords& file, const std::vector<std::size_t>& ce
     require_input(per_side(cell) == per_side(first), file.name, ":", cell.line,
                   ": expected a cell of ", per_side(first), " nodes per side as in line ",
                   first.line, ", got ", per_side(cell),
-                  "; save one body with one Mesh.ElementOrder");
+                  "; save one body with elements of one order (Mesh.ElementOrder)");
     width = std::max(width, cell.n_nodes);
   }
   return width;
@@ -189,13 +184,7 @@ GmshBody make_body(const GmshRecords& file, const SurfacesOfBody& surfaces) {
 
 }  // namespace
 
-std::vector<Mesh> parse_gmsh(std::string_view content, const std::string& name,
-                             const GmshParts& parts) {
-  const GmshRecords file = gmsh_records(content, name);
-  require_input(
-      !file.cells.empty(), name,
-      ":1: the file has no triangles or quadrilaterals; mesh the surfaces (gmsh -2) before saving");
-  check_names(file);
+std::vector<Mesh> meshes_of(const GmshRecords& file, const GmshParts& parts) {
   check_plane(file);
   std::vector<GmshBody> bodies;
   for (const SurfacesOfBody& body : surfaces_of_bodies(file, parts))
@@ -204,6 +193,16 @@ std::vector<Mesh> parse_gmsh(std::string_view content, const std::string& name,
   std::vector<Mesh> meshes;
   for (GmshBody& body : bodies) meshes.push_back(std::move(body.mesh));
   return meshes;
+}
+
+std::vector<Mesh> parse_gmsh(std::string_view content, const std::string& name,
+                             const GmshParts& parts) {
+  const GmshRecords file = gmsh_records(content, name);
+  require_input(
+      !file.cells.empty(), name,
+      ":1: the file has no triangles or quadrilaterals; mesh the surfaces (gmsh -2) before saving");
+  check_names(file);
+  return meshes_of(file, parts);
 }
 
 std::vector<Mesh> read_gmsh(const std::filesystem::path& file, const GmshParts& parts) {

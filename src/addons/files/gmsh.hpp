@@ -29,7 +29,7 @@ using GmshParts = std::map<std::string, std::vector<std::string>>;
 /// its end, then the closed ones, each from its side that is first in the file; where several sides
 /// go on from one node, the first of them in the file is taken.
 ///
-/// Groups without a name are called `surface TAG` and `curve TAG`. Points, and lines in no group,
+/// Groups without a name are called `surface TAG` and `curve TAG`; groups without elements are passed over. Points, and lines in no group,
 /// are ignored.
 /// \param content  the text of the file
 /// \param name     of the file, for messages
@@ -39,8 +39,8 @@ using GmshParts = std::map<std::string, std::vector<std::string>>;
 ///   cells other than triangles and quadrilaterals of 2 or 3 nodes per side, or both in one body; no physical
 ///   surface that `parts` names, or is to be in two bodies; a cell in no physical surface though there
 ///   are some, or in two; cells that overlap along a side; a line of a physical curve
-///   that is no side of a cell or lies within a body; two groups of one name, or a name that no
-///   element bears; or if z varies by more than 1e-9 of the extent
+///   that is no side of a cell or lies within a body; two groups of one name, or names of groups none of which has
+///   an element; or if z varies by more than 1e-9 of the extent
 [[nodiscard]] std::vector<Mesh> parse_gmsh(std::string_view content, const std::string& name,
                                            const GmshParts& parts = {});
 

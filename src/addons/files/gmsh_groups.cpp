@@ -86,6 +86,11 @@ void GmshGroups::read_entity(GmshText& in, int dimension, std::string_view first
     in.fail(text("entity ", tag, " of dimension ", dimension, " comes twice"));
 }
 
+Whole GmshGroups::add(int dimension, const std::string& name) {
+  names_.emplace(Key{dimension, ++added_}, name);
+  return added_;
+}
+
 std::size_t GmshGroups::set_of(const GmshText& in, int dimension, Whole tag) const {
   const auto found = entities_.find({dimension, tag});
   if (found != entities_.end()) return found->second;

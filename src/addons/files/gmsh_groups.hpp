@@ -60,6 +60,9 @@ class GmshGroups {
   /// \throws ProblemError if they are anything else, or an entity comes twice
   void read_entities(GmshText& in);
 
+  /// Adds a group. \param dimension  1 or 2 \param name  of the group \return its tag, above those that were added before
+  std::int64_t add(int dimension, const std::string& name);
+
   /// The set of groups that an entity is in.
   /// \param in         for messages
   /// \param dimension  of the entity
@@ -88,6 +91,7 @@ class GmshGroups {
   void read_entity(GmshText& in, int dimension, std::string_view first);
 
   bool has_entities_ = false;
+  std::int64_t added_ = 0;
   std::map<Key, std::string> names_;
   std::map<Key, std::size_t> entities_;  // their sets
   std::vector<std::vector<std::int64_t>> sets_ = {{}};

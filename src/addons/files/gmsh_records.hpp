@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "addons/files/gmsh.hpp"
 #include "addons/files/gmsh_groups.hpp"
 
 namespace signorini {
@@ -31,11 +32,12 @@ struct GmshElement {
 
 /// Nodes, elements and physical groups of a Gmsh file.
 struct GmshRecords {
-  std::string name;                ///< of the file, for messages
-  std::vector<GmshNode> nodes;     ///< all of them, no tag twice
-  std::vector<GmshElement> lines;  ///< one-dimensional elements
-  std::vector<GmshElement> cells;  ///< triangles and quadrilaterals
-  GmshGroups groups;               ///< physical groups
+  std::string name;                          ///< of the file, for messages
+  std::string surface = "physical surface";  ///< what the file calls a group of cells, for messages
+  std::vector<GmshNode> nodes;               ///< all of them, no tag twice
+  std::vector<GmshElement> lines;            ///< one-dimensional elements
+  std::vector<GmshElement> cells;            ///< triangles and quadrilaterals
+  GmshGroups groups;                         ///< physical groups
 };
 
 /// Reads the sections of a Gmsh file [\ref GeuzaineRemacle2009], of version 2.2 or 4.1 and written
@@ -46,5 +48,12 @@ struct GmshRecords {
 /// \throws ProblemError `NAME:LINE: expected ..., got ...` if the text is no such file, is cut off,
 ///   or holds elements other than points, lines, triangles and quadrilaterals of 2 or 3 nodes per side
 [[nodiscard]] GmshRecords gmsh_records(std::string_view content, const std::string& name);
+
+/// Makes meshes of what a file holds.
+/// \param file   with one cell or more
+/// \param parts  as parse_gmsh()
+/// \return as parse_gmsh()
+/// \throws ProblemError as parse_gmsh()
+[[nodiscard]] std::vector<Mesh> meshes_of(const GmshRecords& file, const GmshParts& parts);
 
 }  // namespace signorini

@@ -26,7 +26,8 @@ class Json {
   /// Names the next value of an object. \param name  any text \return this
   Json& key(const std::string& name);
 
-  /// Adds a text. \param value  bytes that are no printable ASCII are escaped one by one \return this
+  /// Adds a text. \param value  in UTF-8; signs that cannot be printed, and bytes that are none of UTF-8, are escaped one by one
+  /// \return this
   Json& value(const std::string& value);
   /// Adds a text. \param value  as above \return this
   Json& value(const char* value) { return this->value(std::string(value)); }

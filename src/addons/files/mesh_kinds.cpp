@@ -1,16 +1,14 @@
 #include <algorithm>
-#include <filesystem>
 #include <optional>
 #include <utility>
 
-#include "addons/files/gmsh.hpp"
+#include "addons/files/filed_meshes.hpp"
 #include "addons/files/kinds.hpp"
 #include "meshes/disc.hpp"
 #include "meshes/half_space.hpp"
 #include "meshes/plate_with_hole.hpp"
 #include "meshes/ring.hpp"
 #include "meshes/split.hpp"
-#include "signorini/core/family.hpp"
 #include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/fem/block.hpp"
@@ -37,7 +35,6 @@ namespace {
 constexpr Bound positive = Bound::Positive;
 constexpr double largest_mesh = 1e7;  // cells
 
-const char* const joined_body = "the body of this file";
 const double degree = pi / 180;
 
 void check_size(double cells) {
@@ -310,67 +307,6 @@ Kind<Mesh> annulus() {
       [](const S& spec) { return make_annulus(checked<B>(spec)); });
 }
 
-/// A mesh of a file.
-struct Filed {
-  std::string file;
-  std::vector<std::string> surfaces;
-  const Value* value = nullptr;
-};
-
-/// The mesh of one surface; those of the others wait for their bodies.
-Mesh mesh_of_surface(const Origin& origin, const std::filesystem::path& file,
-                     const std::string& surface) {
-  std::vector<Mesh>& meshes = origin.waiting[file];
-  const auto place = [&] {
-    return std::find_if(meshes.begin(), meshes.end(),
-                        [&](const Mesh& mesh) { return mesh.name == surface; });
-  };
-  if (place() == meshes.end()) {
-    meshes = read_gmsh(file);
-    static_cast<void>(mesh_named(meshes, surface));
-  }
-  const auto found = place();
-  Mesh mesh = std::move(*found);
-  meshes.erase(found);
-  return mesh;
-}
-
-Mesh mesh_of_file(const Filed& filed, const Origin& origin) {
-  const std::filesystem::path file = origin.folder / filed.file;
-  if (filed.surfaces.size() == 1) return mesh_of_surface(origin, file, filed.surfaces.front());
-  if (filed.surfaces.size() > 1)
-    return mesh_named(read_gmsh(file, {{joined_body, filed.surfaces}}), joined_body);
-  std::vector<Mesh> meshes = read_gmsh(file);
-  require_input(meshes.size() == 1, "the file has ", meshes.size(),
-                " bodies: say which one with surface = \"NAME\"; there are: ", names_of(meshes));
-  return std::move(meshes.front());
-}
-
-Kind<Mesh> gmsh() {
-  const Keys<Filed> keys = {
-      {{"file", "text", "", "", "written by Gmsh, in the folder of the scene file", true},
-       [](const Value& value, Filed& filed) {
-         take(value, filed.file);
-         filed.value = &value;
-       }},
-      {{"surface", "text or list of them", "", "",
-        "physical surface that is the body; may be left out if there is only one. Of a list each "
-        "becomes a region, for "
-        "layers"},
-       [](const Value& value, Filed& filed) {
-         for (const Value* item : value.one_or_several())
-           take(*item, filed.surfaces.emplace_back());
-         if (filed.surfaces.empty())
-           value.fail("expected the name of a physical surface, got none");
-       }}};
-  return {"gmsh", "a physical surface of a Gmsh file; boundaries are its physical curves",
-          infos(keys), [keys](const Value& table) -> Mesh {
-            Filed filed;
-            fill(table, keys, filed);
-            return filed.value->explain([&] { return mesh_of_file(filed, *table.origin); });
-          }};
-}
-
 /// What is done with a mesh of any kind, in this order.
 struct Place {
   bool triangles = false;
@@ -392,9 +328,9 @@ const Keys<Place>& place_keys() {
 }  // namespace
 
 const std::vector<Kind<Mesh>>& mesh_kinds() {
-  static const std::vector<Kind<Mesh>> kinds = {block(),      graded_block(),    half_space(),
-                                                edge_block(), round_disc(),      pressed_disc(),
-                                                annulus(),    plate_with_hole(), gmsh()};
+  static const std::vector<Kind<Mesh>> kinds = {
+      block(),        graded_block(), half_space(),      edge_block(), round_disc(),
+      pressed_disc(), annulus(),      plate_with_hole(), gmsh_kind(),  inp_kind()};
   return kinds;
 }
 

@@ -52,11 +52,18 @@ struct OtherKind {
   const char* way_out;
 };
 
-const OtherKind kinds[] = {
+const OtherKind other_kinds[] = {
     {[](const Head& head) { return head.begins("\x89hdf"); }, "an HDF5 file, as MED and CGNS are",
-     through_gmsh},
+     "of MED, tools/med2inp.py makes an input file with its groups, for kind = \"inp\""},
     {[](const Head& head) { return head.begins("cdf\x01") || head.begins("cdf\x02"); },
-     "a netCDF file, as Exodus is", convert},
+     "a netCDF file, as Exodus is",
+     "meshio convert FILE NEW.inp makes an input file with its node sets, for kind = \"inp\""},
+    {[](const Head& head) { return head.has_line("coor_2d") || head.has_line("titre"); },
+     "a mesh of Code_Aster as text", convert},
+    {[](const Head& head) {
+       return head.has_line("begin nodes") || head.has_line("begin modelpart");
+     },
+     "a model part of Kratos", convert},
     {[](const Head& head) { return head.begins("\x1f\x8b") || head.begins("pk\x03\x04"); },
      "a compressed file", "unpack it first"},
     {[](const Head& head) { return head.begins("iso-10303-21"); }, "a STEP file", mesh_it},
@@ -77,7 +84,7 @@ const OtherKind kinds[] = {
     {[](const Head& head) {
        return head.has_line("*heading") || head.has_line("*node") || head.has_line("*part");
      },
-     "an Abaqus or CalculiX input file", convert},
+     "an Abaqus or CalculiX input file", "in a scene take kind = \"inp\""},
     {[](const Head& head) {
        return head.has_line("begin bulk") || head.has_line("cend") || head.has_line("grid");
      },
@@ -98,7 +105,7 @@ const OtherKind kinds[] = {
 
 std::string other_kind(std::string_view content) {
   const Head head(content);
-  for (const OtherKind& kind : kinds)
+  for (const OtherKind& kind : other_kinds)
     if (kind.is(head)) return text(kind.name, "; ", kind.way_out);
   return "";
 }

@@ -106,6 +106,8 @@ SceneFile parse_scene(std::string_view content, const std::string& name,
   if (draft.material && !draft.material_used)
     root.find("material")->fail("is unused: every body has a material of its own");
   check_histories(draft);
+  const std::set<std::string>& of_files = root.origin->notes;
+  draft.file.notes.insert(draft.file.notes.end(), of_files.begin(), of_files.end());
   return std::move(draft.file);
 }
 

@@ -202,7 +202,7 @@ const Keys<Output>& output_keys() {
   static const Keys<Output> keys = {
       key("vtu", &Output::vtu, "", "file of meshes and fields, for ParaView"),
       key("csv", &Output::csv, "", "file of the pressure table"),
-      key("plot", &Output::plot, "", "picture of pressure and deformed meshes, .svg or .png"),
+      key("plot", &Output::plot, "", "picture of pressure and deformed meshes, .svg, .png or .pdf"),
       key("state", &Output::state, "", "of load steps: where they are, for --from")};
   return keys;
 }

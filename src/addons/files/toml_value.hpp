@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -22,6 +23,8 @@ struct Origin {
   std::filesystem::path folder;  ///< in which files that it names are looked for
   /// Meshes of files that were read for one body and wait for theirs, so that a file is read once.
   mutable std::map<std::filesystem::path, std::vector<Mesh>> waiting = {};
+  /// What a user should know of files that it names, each once.
+  mutable std::set<std::string> notes = {};
 };
 
 /// One value of a TOML text.

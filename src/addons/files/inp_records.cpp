@@ -1,0 +1,269 @@
+#include "addons/files/inp_records.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <functional>
+#include <set>
+#include <utility>
+
+#include "addons/files/inp_text.hpp"
+#include "signorini/core/errors.hpp"
+
+namespace signorini {
+namespace {
+
+using Whole = std::int64_t;
+using Fields = std::vector<std::string_view>;
+constexpr Whole most = INT32_MAX;
+
+/// What a type of elements is.
+struct ElementType {
+  std::size_t corners = 0;  // 0: it is not read
+  std::size_t nodes = 0;    // 0: two or three, as many as stand on the line
+};
+
+/// The type of a name such as CPS4R: a family, a number of nodes, and letters.
+ElementType type_of(const std::string& name) {
+  if (name == "STRI65") return {3, 6};
+  const auto is = [&](const std::string& family) { return name.rfind(family, 0) == 0; };
+  for (const char* const family : {"B2", "B3", "T2D", "T3D", "R2D", "RAX", "SAX"})
+    if (is(family)) return {2, 0};
+  for (const std::string family : {"CPS", "CPE", "CPEG", "CAX", "CGAX", "M3D", "S", "STRI"}) {
+    if (!is(family) || name.size() == family.size()) continue;
+    const std::string rest = name.substr(family.size() + 1);  // of S8R5 the 5 counts freedoms
+    if (rest.find_first_of("0123456789") != rest.npos && rest != "R5") continue;
+    const char nodes = name[family.size()];
+    if (nodes == '3' || nodes == '6') return {3, nodes == '3' ? 3U : 6U};
+    if (nodes == '4' || nodes == '8') return {4, nodes == '4' ? 4U : 8U};
+  }
+  return {};
+}
+
+/// What would change the mesh and is not read, and the way out.
+const std::map<std::string, const char*>& refused() {
+  constexpr const char* numbers =
+      "write all nodes and elements out, as a pre-processor does, or as meshio convert does";
+  static const std::map<std::string, const char*> all = {
+      {"INCLUDE", "put that file in the place of this line"},
+      {"SYSTEM", "write the nodes in the coordinates of the whole"},
+      {"NGEN", numbers},
+      {"NFILL", numbers},
+      {"NCOPY", numbers},
+      {"NMAP", numbers},
+      {"ELGEN", numbers},
+      {"ELCOPY", numbers},
+      {"SYMMETRIC MODEL GENERATION", numbers}};
+  return all;
+}
+
+class Reader {
+ public:
+  Reader(std::string_view content, const std::string& name) : in_(content, name) {
+    out_.name = name;
+  }
+
+  InpRecords read() {
+    while (in_.next()) {
+      if (in_.keyword().empty()) {
+        if (data_) data_(in_.fields());
+      } else {
+        end_element();
+        read_keyword(in_.keyword());
+      }
+    }
+    end_element();
+    return std::move(out_);
+  }
+
+ private:
+  void read_keyword(const std::string& keyword) {
+    using Member = void (Reader::*)();
+    static const std::map<std::string, Member> members = {
+        {"NODE", &Reader::begin_nodes},
+        {"ELEMENT", &Reader::begin_elements},
+        {"NSET", &Reader::begin_node_set},
+        {"ELSET", &Reader::begin_element_set},
+        {"SURFACE", &Reader::begin_surface},
+        {"SOLID SECTION", &Reader::begin_section},
+        {"SHELL SECTION", &Reader::begin_section},
+        {"MEMBRANE SECTION", &Reader::begin_section},
+        {"PART", &Reader::begin_part},
+        {"INSTANCE", &Reader::begin_instance}};
+    static const std::set<std::string> passed = {"HEADING",  "PREPRINT",     "END PART",
+                                                 "ASSEMBLY", "END ASSEMBLY", "END INSTANCE"};
+    data_ = {};
+    const auto no = refused().find(keyword);
+    if (no != refused().end()) in_.fail(text("*", keyword, " is not read: ", no->second));
+    const auto member = members.find(keyword);
+    if (member != members.end()) return (this->*member->second)();
+    if (passed.count(keyword) == 0) out_.unread.emplace("*" + keyword, in_.line());
+  }
+
+  void refuse_input() const {
+    if (in_.has("INPUT")) in_.fail("INPUT= is not read: put that file here");
+  }
+
+  InpSet& set_named(InpSets& sets, const std::string& name) const {
+    return sets.try_emplace(inp_key(name), InpSet{name, {}, in_.line()}).first->second;
+  }
+
+  void begin_nodes() {
+    refuse_input();
+    if (in_.has("SYSTEM") && inp_key(in_.value("SYSTEM")) != "R")
+      in_.fail("SYSTEM= is not read: write nodes in x and y");
+    InpSet* const set = in_.has("NSET") ? &set_named(out_.node_sets, in_.value("NSET")) : nullptr;
+    data_ = [this, set](const Fields& fields) {
+      GmshNode node;
+      node.line = in_.line();
+      node.tag = in_.whole(fields[0], "node number", 1, most);
+      if (fields.size() < 3) in_.fail("expected number, x and y of a node");
+      for (std::size_t k = 0; k < 3 && k + 1 < fields.size(); ++k)
+        if (!fields[k + 1].empty()) node.position[k] = in_.number(fields[k + 1], "coordinate");
+      out_.nodes.push_back(node);
+      if (set != nullptr) set->entries.push_back({node.tag, node.tag});
+    };
+  }
+
+  void begin_elements() {
+    refuse_input();
+    type_ = inp_key(in_.value("TYPE"));
+    read_as_ = type_of(type_);
+    wanted_ = read_as_.nodes;
+    InpSet* set = nullptr;
+    if (read_as_.corners > 2 && !in_.has("ELSET"))
+      set = &set_named(out_.element_sets, text("block ", ++blocks_));
+    if (in_.has("ELSET")) {
+      const std::string key = inp_key(in_.value("ELSET"));
+      set = &set_named(out_.element_sets, in_.value("ELSET"));
+      if (std::find(out_.of_elements.begin(), out_.of_elements.end(), key) ==
+          out_.of_elements.end())
+        out_.of_elements.push_back(key);
+    }
+    data_ = [this, set](const Fields& fields) {
+      if (read_as_.corners == 0) {
+        out_.unread.emplace("elements of type " + type_, in_.line());
+        return;
+      }
+      if (numbers_.empty()) element_line_ = in_.line();
+      if (read_as_.nodes == 0) wanted_ = fields.size() > 3 ? 3 : 2;
+      for (const std::string_view field : fields)
+        numbers_.push_back(in_.whole(field, "element or node number", 1, most));
+      if (numbers_.size() > wanted_) add_element(set);
+    };
+  }
+
+  void add_element(InpSet* set) {
+    if (numbers_.size() != wanted_ + 1)
+      in_.fail(text("expected ", wanted_, " nodes of an element ", type_, ", got ",
+                    numbers_.size() - 1));
+    GmshElement element;
+    element.corners = read_as_.corners;
+    element.n_nodes = wanted_;
+    element.line = element_line_;
+    std::copy(numbers_.begin() + 1, numbers_.end(), element.nodes.begin());
+    (read_as_.corners == 2 ? out_.lines : out_.cells).push_back(element);
+    (read_as_.corners == 2 ? out_.line_numbers : out_.cell_numbers).push_back(numbers_[0]);
+    if (set != nullptr) set->entries.push_back({numbers_[0], numbers_[0]});
+    numbers_.clear();
+  }
+
+  /// Refuses an element of which nodes are missing.
+  void end_element() {
+    if (numbers_.empty()) return;
+    in_.fail(text("the element of line ", element_line_, " has ", numbers_.size() - 1,
+                  " nodes, and ", type_, " has ", wanted_));
+  }
+
+  void begin_node_set() { begin_set(out_.node_sets, "NSET", "node"); }
+  void begin_element_set() { begin_set(out_.element_sets, "ELSET", "element"); }
+
+  void begin_set(InpSets& sets, const char* parameter, const std::string& what) {
+    InpSet& set = set_named(sets, in_.value(parameter));
+    const bool range = in_.has("GENERATE");
+    data_ = [this, &sets, &set, range, what](const Fields& fields) {
+      if (!range) {
+        for (const std::string_view field : fields)
+          if (!field.empty()) set.entries.push_back(entry(sets, field, what));
+        return;
+      }
+      InpEntry all;
+      if (fields.size() < 2) in_.fail("expected first, last and step of GENERATE");
+      all.first = in_.whole(fields[0], "first " + what, 1, most);
+      all.last = in_.whole(fields[1], "last " + what, 1, most);
+      if (fields.size() > 2 && !fields[2].empty()) all.step = in_.whole(fields[2], "step", 1, most);
+      set.entries.push_back(all);
+    };
+  }
+
+  /// A number, or the name of a set.
+  [[nodiscard]] InpEntry entry(const InpSets& sets, std::string_view field,
+                               const std::string& what) const {
+    if (!field.empty() && std::isdigit(static_cast<unsigned char>(field.front())) != 0) {
+      if (field.size() > 2 && field.substr(field.size() - 2) == ".0")  // as meshio writes
+        field.remove_suffix(2);
+      const Whole number = in_.whole(field, what + " number", 1, most);
+      return {number, number};
+    }
+    const std::string key = inp_key(field);
+    if (sets.count(key) == 0) in_.fail(text("a set of ", what, "s that is defined above"), field);
+    InpEntry other;
+    other.set = key;
+    return other;
+  }
+
+  void begin_surface() {
+    const std::string type = in_.has("TYPE") ? inp_key(in_.value("TYPE")) : "ELEMENT";
+    if (type == "NODE") return begin_set(out_.node_sets, "NAME", "node");
+    if (type != "ELEMENT") {
+      out_.unread.emplace("*SURFACE, TYPE=" + type, in_.line());
+      return;
+    }
+    InpSet& surface = set_named(out_.surfaces, in_.value("NAME"));
+    data_ = [this, &surface](const Fields& fields) {
+      InpEntry all = entry(out_.element_sets, fields[0], "element");
+      const std::string side = fields.size() > 1 ? inp_key(fields[1]) : "";
+      if (!side.empty()) {
+        if (side.size() != 2 || side[0] != 'S' || side[1] < '1' || side[1] > '4')
+          in_.fail("a side S1, S2, S3 or S4", fields[1]);
+        all.side = side[1] - '1';
+      }
+      surface.entries.push_back(all);
+    };
+  }
+
+  void begin_section() { out_.sections.push_back(inp_key(in_.value("ELSET"))); }
+
+  void begin_part() {
+    if (++parts_ > 1)
+      in_.fail("several parts are not read: write the file without parts and assemblies");
+  }
+
+  void begin_instance() {
+    if (++instances_ > 1)
+      in_.fail("several instances are not read: write the file without parts and assemblies");
+    data_ = [this](const Fields& /*fields*/) {
+      in_.fail(
+          "instances that are moved are not read: write the file without parts and assemblies");
+    };
+  }
+
+  InpText in_;
+  InpRecords out_;
+  std::function<void(const Fields&)> data_;  // reads the lines below it; empty: nobody does
+  std::string type_;                         // of the present elements
+  ElementType read_as_;
+  std::size_t wanted_ = 0;      // nodes of the present element
+  int blocks_ = 0;              // elements that no set is given for
+  std::vector<Whole> numbers_;  // of the present element, which may go on in the next line
+  std::size_t element_line_ = 0;
+  int parts_ = 0;
+  int instances_ = 0;
+};
+
+}  // namespace
+
+InpRecords inp_records(std::string_view content, const std::string& name) {
+  return Reader(content, name).read();
+}
+
+}  // namespace signorini
