@@ -132,7 +132,11 @@ grade: configure          ## grade a folder of answers, DIR/student/ex6.1.cpp: b
 handout:                  ## build/signorini-handout.tar.gz, without solutions and held-out tests
 	@mkdir -p $B && git archive --format=tar.gz --prefix=signorini/ -o $B/signorini-handout.tar.gz HEAD
 	@ls -l $B/signorini-handout.tar.gz
+package: configure        ## a package for Debian, build/package/*.deb: program, library, headers, manual page, examples, the book if it was made
+	@cmake --build $B -j $(JOBS) --target signorini_command
+	@cpack --config $B/CPackConfig.cmake > $B/package.log 2>&1 || { cat $B/package.log; exit 1; }
+	@ls -l $B/package/*.deb
 clean:                    ## remove everything that was built
 	rm -rf $B
 .PHONY: all help configure run chapters test conformance results figures text lint book book-pdf slides site engine live browser bench peers effectivity accuracy many_bodies \
-        fuzz faults sets grade handout clean
+        fuzz faults sets grade handout package clean
