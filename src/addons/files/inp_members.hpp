@@ -22,8 +22,14 @@ using InpPlaces = std::vector<std::size_t>;
 /// Where in a list the numbers of a file stand.
 class InpNumbers {
  public:
+  /// \param number  of the file
+  /// \param place   where in the list it stands
   void add(std::int64_t number, std::size_t place) { order_.emplace_back(number, place); }
-  /// Sorts them. \param what  has two of one number, for the message \param line_of  a place
+  /// Sorts them, after the last has been added.
+  /// \param file     for messages
+  /// \param what     has the numbers, for messages
+  /// \param line_of  gives the line of a place
+  /// \throws ProblemError if two have one number
   template <typename LineOf>
   void end(const std::string& file, const char* what, const LineOf& line_of) {
     std::sort(order_.begin(), order_.end());
@@ -32,12 +38,16 @@ class InpNumbers {
                     ": ", what, ' ', order_[k].first, " stands here and in line ",
                     line_of(order_[k - 1].second), "; give each its own number");
   }
+  /// \param number  of the file
+  /// \return where it stands, if it does
   [[nodiscard]] std::optional<std::size_t> find(std::int64_t number) const {
     const auto place = from(number);
     if (place == order_.end() || place->first != number) return {};
     return place->second;
   }
   /// Adds the places of those that an entry of a set means.
+  /// \param entry  with numbers
+  /// \param into   gets them
   void put(const InpEntry& entry, InpPlaces& into) const {
     for (auto at = from(entry.first); at != order_.end() && at->first <= entry.last; ++at)
       if ((at->first - entry.first) % entry.step == 0) into.push_back(at->second);
@@ -55,7 +65,10 @@ class InpNumbers {
 /// What sets hold, looked up once each.
 class InpMembers {
  public:
+  /// \param sets     that are looked up; must outlive this
+  /// \param numbers  of what the sets hold; must outlive it too
   InpMembers(const InpSets& sets, const InpNumbers& numbers) : sets_(&sets), numbers_(&numbers) {}
+  /// \param key  of a set
   /// \return places, increasing, each once
   const InpPlaces& of(const std::string& key) {
     const auto [known, is_new] = known_.emplace(key, InpPlaces{});
@@ -66,7 +79,9 @@ class InpMembers {
     all.erase(std::unique(all.begin(), all.end()), all.end());
     return known->second = std::move(all);
   }
-  /// Adds what an entry holds. \param entry  of a set \param into  gets its places
+  /// Adds what an entry holds.
+  /// \param entry  of a set
+  /// \param into   gets its places
   void put(const InpEntry& entry, InpPlaces& into) {
     if (entry.set.empty()) return numbers_->put(entry, into);
     const InpPlaces& other = of(entry.set);

@@ -15,8 +15,8 @@ namespace signorini {
 
 /// Some members of a set: numbers from `first` to `last`, or those of another set.
 struct InpEntry {
-  std::int64_t first = 0;
-  std::int64_t last = 0;
+  std::int64_t first = 0;  ///< number of the file
+  std::int64_t last = 0;   ///< and that up to which the entry goes
   std::int64_t step = 1;  ///< from one to the next
   std::string set = {};   ///< key of another set that is defined before; empty: numbers
   int side = -1;          ///< of elements, from 0; -1: all sides that lie on the border
