@@ -249,8 +249,9 @@ TEST_CASE("friction remembers along the surface what slid where nodes lose their
       ContainsSubstring("the end of the file"));
 }
 
-// Pressed by a load to a strain of 9 %, on three nodes: one factor leaves more than a third of the error each time.
-TEST_CASE("where one factor leads nowhere, tangents whose contact forces turn go on", "[motion]") {
+// Pressed by a load to a strain of 9 %, on three nodes. With one factor and without the turn of contact forces an iteration leaves more
+// than a third of the error, and a step ends after 27. With it in the load, where corrections come closer, no step has more than 20.
+TEST_CASE("with one factor, contact forces that turn are a load", "[motion]") {
   MovingBlocks of;
   of.friction = 0;
   of.cells = 2;
@@ -272,9 +273,8 @@ TEST_CASE("where one factor leads nowhere, tangents whose contact forces turn go
   });
   INFO(end.reason);
   REQUIRE(end.status == SolveStatus::Solved);
-  CHECK(most > 26);  // of 25 iterations with the factor of the scene, and the place where they begin
-  CHECK(most <= 40);
-  CHECK(factors > 0);
+  CHECK(most <= 20);
+  CHECK(factors == 0);
 }
 
 TEST_CASE("a path of moving bodies goes on from a state to the same bits", "[motion]") {

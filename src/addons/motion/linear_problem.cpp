@@ -1,7 +1,7 @@
 // # The linear problem of an iteration
 //
 // If all strains are small, K is that of the scene, and so is its factor. As long as this leads to an end, an iteration costs
-// the compliance of the rows of its pairs.
+// the compliance of the rows of its pairs. How contact forces turn is on the right then, see [corrected_solve.cpp](corrected_solve.cpp).
 //
 // Under finite strain K is the tangent of the place, and is factored. A tangent may be indefinite in a body that is stable,
 // see [held_by_pairs.cpp](held_by_pairs.cpp), and where contact has not begun to hold a body nothing makes it definite. So
@@ -118,7 +118,11 @@ std::optional<Solution> try_rung(const Rung& rung, const Tangent& tangent,
     ledger.count("tangents without a factor", 1);
   }
   if (solution) {
-    *solution = solve(model, condensed, model.solver, std::exchange(ledger, {}), problem.options);
+    *solution =
+        rung.turns && problem.turned
+            ? corrected_solve(model, problem.turned, tangent.turn, problem.options, condensed,
+                              std::exchange(ledger, {}))
+            : solve(model, condensed, model.solver, std::exchange(ledger, {}), problem.options);
     ledger = std::move(solution->ledger);
   }
   return solution;
@@ -149,15 +153,17 @@ std::string most_shortened(const Model& model) {
 
 }  // namespace
 
-Solution solve_with_one_factor(const Model& model, VectorXd free, const SolverOptions& options,
-                               Condensed& condensed, Ledger ledger) {
+Solution solve_with_one_factor(Model& model, VectorXd free, const TurnedForces& turned,
+                               const SolverOptions& options, Condensed& condensed, Ledger ledger) {
   condensed.problem.law = model.law;
   {
     const Ledger::Phase phase(ledger, "compliance");  // as often as pairs are found
     condensed.problem.compliance = condensed.factor.compliance(model.programme.A, ledger);
   }
   move_freely(model, std::move(free), condensed);
-  return solve(model, condensed, model.solver, std::move(ledger), options);
+  if (!turned) return solve(model, condensed, model.solver, std::move(ledger), options);
+  const Eigen::SparseMatrix<double> none(model.unknowns.count, model.unknowns.count);
+  return corrected_solve(model, turned, none, options, condensed, std::move(ledger));
 }
 
 Solution solve_with_tangent(const TangentProblem& problem, Condensed& condensed, Ledger ledger,

@@ -4,19 +4,22 @@
 #pragma once
 #include <vector>
 
+#include "addons/motion/corrected_solve.hpp"
 #include "addons/motion/kept_points.hpp"
 #include "signorini/scene/solution.hpp"
 
 namespace signorini {
 
 /// Solves the linear problem of a model whose K does not change: with the factor that `condensed` has.
-/// \param model      placed, with p of the iteration
+/// \param model      placed, with p of the iteration, which it keeps
 /// \param free       K^-1 p `n` [length]
+/// \param turned     how contact forces turn; empty: they do not
 /// \param options    for the solver
 /// \param condensed  gets the compliance of the rows of the model
 /// \param ledger     goes on in the solution
 /// \return the solution in the way d from the place
-[[nodiscard]] Solution solve_with_one_factor(const Model& model, Eigen::VectorXd free,
+[[nodiscard]] Solution solve_with_one_factor(Model& model, Eigen::VectorXd free,
+                                             const TurnedForces& turned,
                                              const SolverOptions& options, Condensed& condensed,
                                              Ledger ledger);
 
@@ -27,6 +30,7 @@ struct TangentProblem {
   /// `n_c` forces of the last iteration, which turn with the bodies; empty: none are known [force]
   const Eigen::VectorXd& turning;
   const KeptPoints& points;      ///< of its pairs, where `turning` acts
+  const TurnedForces& turned;    ///< how all contact forces turn
   const SolverOptions& options;  ///< for the solver
   std::size_t& rung;  ///< of the ladder, to begin with; becomes the one that held
 };

@@ -9,9 +9,12 @@
 
 #include "addons/motion/linearised_model.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "addons/motion/moved_pairs.hpp"
+#include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/problem/exact_sum.hpp"
 #include "signorini/problem/residual.hpp"
 #include "signorini/scene/balance.hpp"
@@ -92,6 +95,24 @@ Displaced LinearisedModel::ahead(const PrimalDual& way, double share) const {
       }
     }
   return there;
+}
+
+// The copy has no K, which is large and not looked at.
+VectorXd LinearisedModel::turned(const VectorXd& way, const VectorXd& force, double look) const {
+  const double share = std::min(1.0, look / largest(way));
+  Eigen::SparseMatrix<double> aside;
+  aside.swap(model_.programme.stiffness);
+  Model there = model_;
+  aside.swap(model_.programme.stiffness);
+  try {
+    place_(ahead({way, {}, {}}, share), before_, there, nullptr);
+  } catch (const ProblemError&) {
+    return VectorXd::Zero(way.size());
+  }
+  const Eigen::SparseMatrix<double, Eigen::RowMajor>& A = model_.programme.A;
+  if (there.programme.A.rows() != A.rows() || names_of_pairs(there) != names_of_pairs(model_))
+    return VectorXd::Zero(way.size());
+  return (A - there.programme.A).transpose() * force / share;
 }
 
 Certificate LinearisedModel::certificate(const Solution& solution) const {

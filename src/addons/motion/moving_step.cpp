@@ -3,12 +3,12 @@
 // Contact of bodies that slide is no linear problem: gaps and normals depend on where the bodies are. So do forces, if strains
 // are not small. Near a place \f$ \hat u \f$ all of it is linear in the way d that is left,
 // \f[ (K - B)\,d = p - f(\hat u) - A^T\lambda, \qquad A = -N(\hat u), \qquad \text{gap} = g(\hat u) - Ad, \f]
-// where B is how contact forces turn, see [curvature.cpp](curvature.cpp),
+// where B is how contact forces turn, see [curvature.cpp](curvature.cpp) and [corrected_solve.cpp](corrected_solve.cpp),
 // and that is solved exactly, with complementarity, friction and certificate, by the road of all scenes. \f$ \hat u + d \f$ is
 // the next place. Josephy showed in 1979 that this is Newton's method for such problems.
 //
-// Where all strains are small K does not change, and B may be left out as long as the loop does without. Then one factor
-// serves all iterations of all steps: what an iteration costs is a search and the compliance of its rows.
+// Where all strains are small K does not change, and B is a load. Then one factor
+// serves all iterations of all steps: what an iteration costs is some searches and the compliance of its rows.
 //
 // The end has d = 0. So its digits are those of p - f and of g alone: forces of cells and gaps of places, each computed from
 // differences of nearby nodes, see [body_answers.cpp](body_answers.cpp).
@@ -40,13 +40,16 @@ using Eigen::VectorXd;
 /// needs more than this many is none that ends.
 constexpr int most_iterations = 60;
 
-/// So many iterations may be made with the factor of the scene, if all strains are small. Each leaves of the error about five
-/// times the strain, and at a strain of 6 % this many leave 1e-13. What is not there by then goes on with tangents, whose contact forces
-/// turn with the bodies.
-constexpr int most_with_one_factor = 25;
+/// So many iterations have forces that turn as they go. Where they have not ended by then, those may be what leads round, and the
+/// rest does without.
+constexpr int most_with_corrections = 20;
 
 /// The way that an iteration may go while nothing but weak springs holds a body, in sizes of the smallest body.
 constexpr double bounded_way = 0.1;
+
+/// How far ahead contact forces are looked at, in sizes of the smallest body: there rounding and the bend of what they do
+/// falsify the difference alike.
+constexpr double root_of_rounding = 1e-8;
 
 /// The problem that an iteration has solved.
 struct Linearised {
@@ -80,16 +83,10 @@ struct Moving {
   int iteration = 0;                 ///< that is made
   std::size_t rung = 0;              ///< of the ladder of tangents, that held last
   bool bounded = false;              ///< whether only springs held a body in the last iteration
-  bool tangent_made = false;         ///< whether `condensed` has the factor of one
 
-  /// Whether an iteration has a tangent of its own: under finite strain, and where one factor leads nowhere.
-  [[nodiscard]] bool has_tangent(int number) const {
-    return place.finite() || number > most_with_one_factor;
-  }
   /// Where an iteration wants to know the points of its pairs.
-  [[nodiscard]] KeptPoints* wanted_points(int number) {
-    return has_tangent(number) ? &points : nullptr;
-  }
+  [[nodiscard]] KeptPoints* wanted_points() { return place.finite() ? &points : nullptr; }
+  [[nodiscard]] TurnedForces turned_forces() const;
   Solution linear_problem();
   [[nodiscard]] double first_share(const VectorXd& way,
                                    const std::vector<ContactStatus>& statuses) const;
@@ -100,24 +97,31 @@ struct Moving {
   Solution solved();
 };
 
-/// With the factor of the scene as long as that is the one of K, or may do in its place.
+/// None at rest, where the linear problem is that of the scene.
+TurnedForces Moving::turned_forces() const {
+  if (place.at_rest() || iteration > most_with_corrections) return {};
+  return [this](const VectorXd& way, const VectorXd& force) {
+    return place.turned(way, force, root_of_rounding * smallest_size(model));
+  };
+}
+
+/// With the factor of the scene as long as that is the one of K.
 Solution Moving::linear_problem() {
   const bool rest = place.at_rest();
-  Solution solution;
-  if (rest || !has_tangent(iteration)) {
-    if (std::exchange(tangent_made, false)) condensed.factor = factor;
+  const TurnedForces turned = turned_forces();
+  if (rest || !place.finite()) {
+    condensed.factor = factor;
     VectorXd free = rest ? std::exchange(condensed.free_displacement, {})
                          : condensed.factor.solve(model.programme.load);
-    solution =
-        solve_with_one_factor(model, std::move(free), options, condensed, std::move(ledger));
+    Solution solution = solve_with_one_factor(model, std::move(free), turned, options, condensed,
+                                              std::move(ledger));
     const bool flies = held.empty() && solution.contact.unbounded_direction.size() > 0;
     bounded = false;
     if (!flies || !rest) return solution;
     ledger = std::move(solution.ledger);
   }
-  tangent_made = true;
-  return solve_with_tangent({model, held, turning, points, options, rung}, condensed, std::move(ledger),
-                            bounded);
+  return solve_with_tangent({model, held, turning, points, turned, options, rung}, condensed,
+                            std::move(ledger), bounded);
 }
 
 /// The share of a way that is tried first. While supports still move all of it is gone, or none of them would arrive.
@@ -133,7 +137,7 @@ bool Moving::goes_to(const Solution& solution) {
   const std::vector<ContactStatus> statuses = all_statuses(solution.contact);
   double share = first_share(way, statuses);
   for (int halved = 0; halved <= model.path.halvings;) try {
-      place.move(place.ahead(solution.refined, share), wanted_points(iteration + 1), ledger);
+      place.move(place.ahead(solution.refined, share), wanted_points(), ledger);
       ways.gone(way, statuses, share);
       reason.clear();
       return true;
@@ -190,7 +194,7 @@ void Moving::hand_on(const Linearised& solved, const ContactState& contact) {
 
 /// Iterations until one holds. \return whether one did
 bool Moving::ends(Solution& solution) {
-  place.move(before, wanted_points(1), ledger);
+  place.move(before, wanted_points(), ledger);
   while (++iteration <= most_iterations) {
     const Linearised problem{names_of_pairs(model), model.law};
     solution = linear_problem();

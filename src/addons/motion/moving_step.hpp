@@ -17,9 +17,8 @@ using PlacePairs = std::function<void(const Displaced& displacement, const Displ
 /// the certificate holds of the equations that are found where the bodies then stand. So no equation of
 /// the step is one of a place that the bodies have left.
 ///
-/// Under small strain the loop has one factor, and is Newton's method without the change of normals and of places: each
-/// iteration leaves of the error about five times the strain. Under finite strain, and after 25 such iterations, each has the
-/// tangent of its place, with contact forces that turn. Ways that hardly come closer are summed, see SlowWays. If no pairs can be
+/// Under small strain the loop has one factor; under finite strain each iteration has the tangent of its place, with normal forces that
+/// turn. What is left of how contact forces turn, friction too, is a load: see corrected_solve(). Ways that hardly come closer are summed, see SlowWays. If no pairs can be
 /// found where an iteration leads to, or a cell inverts, it goes half of the way, and again, as often as the path of the scene
 /// halves a step.
 /// \param place  of the scene

@@ -1,6 +1,6 @@
 // # Ways that hardly become shorter
 //
-// The tangent leaves out how friction turns with the surface, and how a gap bends. Then an iteration leaves of its way a
+// Where corrections lead away from each other, an iteration does without how contact forces turn. Then it leaves of its way a
 // share q, and where pressure is high q may be near 1, or near -1 if it swings from side to side. Such ways are a geometric
 // series whose sum is known. Let \f$ d_k \f$ be the way that an iteration finds and \f$ \omega_k \f$ the share of it that
 // is gone; then

@@ -1,0 +1,99 @@
+// Contact forces that turn as bodies go: against a turn of everything, and by what iterations it saves.
+#include <cmath>
+
+#include "addons/motion/linearised_model.hpp"
+#include "addons/motion/moved_pairs.hpp"
+#include "addons/steps/steps.hpp"
+#include "catch_compat.hpp"
+#include "signorini/fem/strain_laws.hpp"
+#include "signorini/scene/bodies.hpp"
+#include "support/moving_blocks.hpp"
+
+using namespace signorini;
+using namespace signorini_test;
+using Eigen::Index;
+using Eigen::VectorXd;
+
+namespace {
+
+struct Effort {
+  double mean = 0;  ///< iterations of a step
+  long long most = 0;
+};
+
+/// Of a soft block that is pressed on a base by a twentieth of its height and dragged over three cells.
+Effort effort(double friction, const char* law) {
+  MovingBlocks of;
+  of.friction = friction;
+  of.stiffness = 3000;
+  of.press = 0.05;
+  of.drag = 0.75;
+  of.steps = 9;
+  Scene scene = moving_blocks(of);
+  for (Body& body : scene.bodies) {
+    body.element = "q4";
+    body.material.law = find_strain_law(law);
+  }
+  Effort all;
+  int steps = 0;
+  const PathEnd end = solve_steps(scene, [&](const Model&, const Step& step) {
+    const long long iterations = step.solution.ledger.counted("pairs", "searches") - 1;
+    all.mean += static_cast<double>(iterations);
+    all.most = std::max(all.most, iterations);
+    ++steps;
+  });
+  INFO(end.reason);
+  REQUIRE(end.status == SolveStatus::Solved);
+  all.mean /= steps;
+  return all;
+}
+
+}  // namespace
+
+// Nothing changes but directions: forces turn with the bodies. The difference looks 1e-8 ahead, where rounding of normals is 1e-8 of
+// it; a base of eight cells has normals that are right to a few roundings more.
+TEST_CASE("if everything turns, contact and friction forces turn with it", "[motion]") {
+  MovingBlocks of;
+  of.base_cells = 8;
+  const Scene scene = moving_blocks(of);
+  Ledger ledger;
+  Model model = build(scene, ledger);
+  const PlacePairs place = [&](const Displaced& there, const Displaced& before, Model& of_model,
+                               KeptPoints* kept) {
+    place_bodies(scene, there, before, of_model, kept);
+  };
+  const NodeArray zero = NodeArray::Zero(count_nodes(model.bodies), 2);
+  const Displaced rest{zero, zero};
+  const LinearisedModel linear(place, rest, model);
+  place(rest, rest, model, nullptr);
+  const Index rows = model.programme.A.rows();
+  const VectorXd force = VectorXd::LinSpaced(rows, 1, 2).array().sin();
+  VectorXd way(model.unknowns.count);
+  VectorXd expected = VectorXd::Zero(way.size());
+  const VectorXd push = -model.programme.A.transpose() * force;
+  for (const BodyModel& body : model.bodies)
+    for (Index k = 0; k < body.mesh.n_nodes(); ++k) {
+      const Index x = model.unknowns.number(body.first_node + k, 0);
+      const Index y = model.unknowns.number(body.first_node + k, 1);
+      if (x < 0 || y < 0) continue;
+      way(x) = -body.mesh.nodes(k, 1);
+      way(y) = body.mesh.nodes(k, 0);
+      expected(x) = -push(y);
+      expected(y) = push(x);
+    }
+  const VectorXd turned = linear.turned(way, force, 1e-8);
+  CHECK((turned - expected).cwiseAbs().maxCoeff() <= 1e-6 * push.cwiseAbs().maxCoeff());
+  CHECK(linear.turned(VectorXd::Ones(way.size()), force, 1e-8).cwiseAbs().maxCoeff() <=
+        1e-6 * push.cwiseAbs().maxCoeff());
+}
+
+// Without corrections friction of one half makes nine iterations of five.
+TEST_CASE("friction that turns with the surface hardly costs iterations", "[motion]") {
+  for (const char* law : {"neo_hooke", "st_venant_kirchhoff"}) {
+    CAPTURE(law);
+    const Effort smooth = effort(0, law);
+    const Effort rough = effort(0.5, law);
+    CHECK(rough.mean <= smooth.mean + 1);
+    CHECK(rough.most <= 6);
+  }
+}
