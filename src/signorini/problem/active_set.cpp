@@ -77,6 +77,21 @@ std::vector<ContactStatus> statuses_of(const std::vector<Index>& active, Index p
   return statuses;
 }
 
+// Friction forces at their bounds are computed from the normal forces of this very step, so that the law of friction holds to
+// the last bit of both parts.
+void impose(const ActiveSet& set, VectorXd& force, VectorXd& low) {
+  const VectorXd given = std::exchange(force, VectorXd::Zero(force.size()));
+  const VectorXd given_low = std::exchange(low, VectorXd::Zero(low.size()));
+  force(set.closed) = given(set.closed);
+  low(set.closed) = given_low(set.closed);
+  for (const SlidingPair& pair : set.sliding) {
+    ExactSum tau = pair.friction(force(pair.gap), low(pair.gap));
+    force(pair.slip) = tau.value();
+    tau.add(-force(pair.slip));
+    low(pair.slip) = tau.value();
+  }
+}
+
 // A state keeps statuses of frictional pairs only.
 std::vector<ContactStatus> all_statuses(const ContactState& state) {
   std::vector<ContactStatus> statuses = statuses_of(state.active, state.force.size());

@@ -44,13 +44,6 @@ bool has_slopes(const ActiveSet& set) {
   return false;
 }
 
-// Puts every friction force that is at its bound there, on the side that its status tells. It is computed from
-// the normal force of this sweep, so that the law of friction holds to the last bit.
-void impose(const ActiveSet& set, VectorXd& force) {
-  for (const SlidingPair& pair : set.sliding)
-    force(pair.slip) = pair.friction(force(pair.gap)).value();
-}
-
 // The numbers to start from: no force that the set excludes. Where a system has several solutions, as with
 // dependent rows, this choice decides which one is found: the one nearest to where the method stands.
 void begin(const ScaledProblem& problem, const Rows& support, const ActiveSetSolution* start,
@@ -169,7 +162,8 @@ ActiveSetSolution solve_active_set(const ScaledProblem& problem, const ActiveSet
   std::sort(now.rows.begin(), now.rows.end());
   now.reversed = system.reversed;
   begin(problem, support, start, now);
-  impose(set, now.force);
+  VectorXd low = VectorXd::Zero(now.force.size());  // of forces in one double
+  impose(set, now.force, low);
   const Index modes = problem.rigid.cols();
   const bool sparse = problem.sparse.size() > 0;
   const RowMovement moved(problem, rows, support);
@@ -181,7 +175,7 @@ ActiveSetSolution solve_active_set(const ScaledProblem& problem, const ActiveSet
     for (std::size_t r = 0; r < rows.size(); ++r)
       now.force(rows[r]) += change(static_cast<Index>(r));
     now.amplitude += turn;
-    impose(set, now.force);
+    impose(set, now.force, low);
     // The first sweep solves, two refine: forces much smaller than the largest need the second as well.
     if (step >= 2 && largest(change) <= 0.25 * epsilon * largest(now.force) &&
         largest(turn) <= 0.25 * epsilon * largest(now.amplitude))

@@ -45,6 +45,12 @@ struct ActiveSet {
 [[nodiscard]] ActiveSet active_set(const std::vector<ContactStatus>& statuses,
                                    const FrictionLaw& law);
 
+/// Makes forces those that a set allows: friction of sliding pairs is at its bound, on the side that the status tells, and rows
+/// that are not closed have none. Forces are sums of two parts.
+/// \param set         closed rows and sliding pairs
+/// \param[in,out] force, low  of all rows, rounded, and what rounding took away [force]
+void impose(const ActiveSet& set, Eigen::VectorXd& force, Eigen::VectorXd& low);
+
 /// \param active  closed pairs
 /// \param pairs   n_c
 /// \return `n_c` statuses: these stick, the others are open
