@@ -9,6 +9,7 @@
 #include "addons/certified/proofs.hpp"
 #include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"
+#include "signorini/core/wording.hpp"
 #include "signorini/problem/systems.hpp"
 #include "signorini/scene/motions.hpp"
 #include "signorini/scene/rigid_modes.hpp"
@@ -91,7 +92,7 @@ Solution certified_solve(const Model& model, const Condensed& condensed, const S
   Solution solution =
       recovered(model, condensed, std::move(end), std::move(notes), std::move(ledger));
   const VectorXd& away = solution.contact.unbounded_direction;
-  solution.unbounded_direction = unbounded_direction_in_words(model, away);
+  solution.unbounded_direction = joined(in_words(model.modes, away), "; ");
   if (away.size() > 0 && !model.law.pair.empty() && model.parts.empty())
     solution.limit = balanced_share(condensed.problem, VectorXd::Zero(away.size()));
   return solution;

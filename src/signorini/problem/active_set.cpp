@@ -100,6 +100,16 @@ std::vector<ContactStatus> all_statuses(const ContactState& state) {
   return statuses;
 }
 
+// All rows stand in one vector where equations treat gaps and slips alike.
+VectorXd all_forces(const ContactState& state) {
+  return (VectorXd(state.force.size() + state.friction.size()) << state.force, state.friction)
+      .finished();
+}
+
+VectorXd all_movements(const ContactState& state) {
+  return (VectorXd(state.gap.size() + state.slip.size()) << state.gap, state.slip).finished();
+}
+
 std::vector<Index> closed_pairs(const std::vector<ContactStatus>& statuses) {
   std::vector<Index> closed;
   for (std::size_t i = 0; i < statuses.size(); ++i)

@@ -61,6 +61,12 @@ void impose(const ActiveSet& set, Eigen::VectorXd& force, Eigen::VectorXd& low);
 /// \return `n_c` statuses
 [[nodiscard]] std::vector<ContactStatus> all_statuses(const ContactState& state);
 
+/// \param state  what a solver says \return forces of gaps, then friction forces `n_c + n_s` [force]
+[[nodiscard]] Eigen::VectorXd all_forces(const ContactState& state);
+
+/// \param state  what a solver says \return gaps, then slips `n_c + n_s` [length]
+[[nodiscard]] Eigen::VectorXd all_movements(const ContactState& state);
+
 /// \param statuses  `n_c`
 /// \return the pairs that are not open, in increasing order
 [[nodiscard]] std::vector<Eigen::Index> closed_pairs(const std::vector<ContactStatus>& statuses);
