@@ -29,11 +29,7 @@ class CertifiedSolve {
  public:
   CertifiedSolve(const QuadraticProgramme& programme, const CondensedProgramme& condensed,
                  const MatrixXd& modes, Ledger& ledger)
-      : programme_(programme),
-        modes_(modes),
-        ledger_(ledger),
-        problem_(condensed.problem),
-        sets_{{programme, condensed.solve_stiffness, problem_, scaled_, modes},
+      : sets_{{programme, condensed.solve_stiffness, condensed.problem, scaled_, modes},
               ledger,
               end_,
               {{condensed.free_displacement, {}, VectorXd::Zero(programme.initial_gap.size())},
@@ -53,33 +49,30 @@ class CertifiedSolve {
   /// Takes over what a solver says about its run.
   void take_over(const ContactState& claim);
 
-  const QuadraticProgramme& programme_;
-  const MatrixXd& modes_;
-  Ledger& ledger_;
-  const ContactProblem& problem_;  // as it was condensed; of corrections refinement knows by itself
   std::optional<ContactProblem> corrected_;  // once there is something to correct, pass by pass
-  ScaledProblem scaled_;  // of problem_, from the first refinement on: a solver has its own
+  ScaledProblem scaled_;  // as condensed, from the first refinement on: a solver has its own
   CertifiedSolution end_;
   RefinedSets sets_;  // before a claim, what the free movements of the corrected problem belong to
+  const RefinementData& data_ = sets_.data;  // as it was condensed: refinement knows of corrections
   std::set<std::vector<ContactStatus>> seen_;
 };
 
 bool CertifiedSolve::settle(const ContactState& claim) {
-  const Ledger::Phase phase(ledger_, "refinement");
-  if (scaled_.scale.size() == 0) scaled_ = equilibrate(problem_);
+  const Ledger::Phase phase(sets_.ledger, "refinement");
+  if (scaled_.scale.size() == 0) scaled_ = equilibrate(data_.condensed);
   const VectorXd force = all_forces(claim);
-  if (modes_.cols() == 0 || claim.report.status != SolveStatus::Solved)
+  if (data_.null_vectors.cols() == 0 || claim.report.status != SolveStatus::Solved)
     return exchange(all_statuses(claim), force);
   // A motion that the closed pairs leave open must begin where the claim has it.
-  const bool moves = largest(modes_ * claim.amplitude) >= smallest_movement;
-  const VectorXd amplitude = moves ? claim.amplitude : VectorXd::Zero(modes_.cols());
-  add_rigid(sets_.here.now, modes_, amplitude - sets_.here.amplitude);
+  const bool moves = largest(data_.null_vectors * claim.amplitude) >= smallest_movement;
+  const VectorXd amplitude = moves ? claim.amplitude : VectorXd::Zero(data_.null_vectors.cols());
+  add_rigid(sets_.here.now, data_.null_vectors, amplitude - sets_.here.amplitude);
   sets_.here.amplitude = amplitude;
   const RefinedSets::Place start = sets_.here;
   const bool settled = exchange(all_statuses(claim), force);
   // Of a claim without any force the closed pairs only touch: where closing them exactly takes forces, which
   // are nothing but rounding, none is closed.
-  const std::vector<ContactStatus> open = statuses_of({}, problem_.free_gap.size());
+  const std::vector<ContactStatus> open = statuses_of({}, data_.condensed.free_gap.size());
   if (!force.isZero(0) || end_.certificate.holds() || !seen_.insert(open).second) return settled;
   sets_.here = start;
   return sets_.refine(open, force).confirmed || settled;
@@ -88,7 +81,7 @@ bool CertifiedSolve::settle(const ContactState& claim) {
 bool CertifiedSolve::exchange(std::vector<ContactStatus> statuses, VectorXd force) {
   if (seen_.count(statuses) > 0) return true;
   RefinedSets::Place before;
-  for (Index last = problem_.free_gap.size() + 1; seen_.insert(statuses).second;) {
+  for (Index last = data_.condensed.free_gap.size() + 1; seen_.insert(statuses).second;) {
     SignCheck verdict = sets_.refine(statuses, force);
     const bool settles = sets_.here.last.settled;
     if (verdict.confirmed || !sets_.here.now.displacement.allFinite()) return true;
@@ -103,21 +96,21 @@ bool CertifiedSolve::exchange(std::vector<ContactStatus> statuses, VectorXd forc
 }
 
 void CertifiedSolve::correct() {
-  if (!corrected_) corrected_ = problem_;
+  if (!corrected_) corrected_ = data_.condensed;
   const auto& [now, amplitude, last] = sets_.here;
-  VectorXd free = last.movement - problem_.compliance * now.force;
-  VectorXd terms = last.movement.cwiseAbs() + problem_.compliance.cwiseAbs() * now.force.cwiseAbs();
-  if (modes_.cols() > 0) {
-    free -= problem_.rigid * amplitude;
-    terms += problem_.rigid.cwiseAbs() * amplitude.cwiseAbs();
+  VectorXd free = last.movement - data_.condensed.compliance * now.force;
+  VectorXd terms = last.movement.cwiseAbs() + data_.condensed.compliance.cwiseAbs() * now.force.cwiseAbs();
+  if (data_.null_vectors.cols() > 0) {
+    free -= data_.condensed.rigid * amplitude;
+    terms += data_.condensed.rigid.cwiseAbs() * amplitude.cwiseAbs();
     PrimalDual strained = now;
     strained.force.setZero();
-    const VectorXd left = -resultant_left(programme_, strained, modes_, 0);
+    const VectorXd left = -resultant_left(data_.programme, strained, data_.null_vectors, 0);
     corrected_->resultant = (left.array().abs() >= smallest_resultant).select(left, 0.0);
   }
   // The others are rounding, or of no size that a problem may have.
   free = (free.array().abs() > (epsilon * terms.array()).max(smallest_movement)).select(free, 0.0);
-  const Index pairs = problem_.free_gap.size();
+  const Index pairs = data_.condensed.free_gap.size();
   corrected_->free_gap = free.head(pairs);
   corrected_->free_slip = free.tail(free.size() - pairs);
 }
@@ -142,13 +135,13 @@ CertifiedSolution CertifiedSolve::run(const Solver& solver, const SolverOptions&
   for (int idle = 0; idle < 2; correct()) {
     ContactState claim;
     {
-      const Ledger::Phase phase(ledger_, "contact");
-      claim = solve_with_proofs(corrected_ ? *corrected_ : problem_, solver, options);
-      ledger_.count("iterations", claim.report.iterations);
-      ledger_.count("factorisations", claim.report.factorisations);
+      const Ledger::Phase phase(sets_.ledger, "contact");
+      claim = solve_with_proofs(corrected_ ? *corrected_ : data_.condensed, solver, options);
+      sets_.ledger.count("iterations", claim.report.iterations);
+      sets_.ledger.count("factorisations", claim.report.factorisations);
     }
     take_over(claim);
-    if (!usable(claim, problem_.free_gap.size()) || settle(claim)) break;
+    if (!usable(claim, data_.condensed.free_gap.size()) || settle(claim)) break;
     if (!sets_.here.last.settled) break;  // nothing to correct the condensed problem with
     const double worst = end_.certificate.worst();
     idle = worst < 0.5 * best ? 0 : idle + 1;

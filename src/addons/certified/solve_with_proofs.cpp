@@ -2,10 +2,9 @@
 
 #include <vector>
 
-#include "addons/certified/at_rest.hpp"
 #include "addons/certified/many_bodies.hpp"
+#include "addons/certified/members.hpp"
 #include "addons/certified/proofs.hpp"
-#include "addons/certified/soft_pairs.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/solvers/portfolio.hpp"
 

@@ -10,6 +10,10 @@
 // compliance (1 1; 1 1 + 1e-10) and free gaps (-1, -1) the first solve has about six right digits, and the
 // second has all of them.
 //
+// These are digits of the condensed problem, whose numbers are rounded themselves. They are enough to tell signs by,
+// and a method asks for many sets, so sweeps must be cheap. For the last set alone iterative_refinement() does the
+// same with K, p, A and g as they were posed.
+//
 // The result says how far it can be trusted: what rounding may have done to each force and movement. Signs are
 // read with these bounds, by predict().
 
