@@ -32,17 +32,14 @@ std::shared_ptr<const ActiveSetSystem> touching_system(const RefinementData& dat
                                                        const RefinedSolution& refined,
                                                        const VectorXd& rounding,
                                                        std::vector<ContactStatus>& statuses) {
+  const std::vector<ContactStatus> as_refined = statuses;
   const auto roundings =
       2 * static_cast<double>(closed_pairs(statuses).size() + 1);  // as in check_signs()
-  bool as_refined = true;
-  for (std::size_t i = 0; i < statuses.size(); ++i) {
-    const Index pair = static_cast<Index>(i);
-    if (statuses[i] != ContactStatus::Open || refined.movement(pair) > roundings * rounding(pair))
-      continue;
-    statuses[i] = ContactStatus::Stick;
-    as_refined = false;
-  }
-  if (as_refined) return refined.system;
+  for (Index pair = 0; pair < static_cast<Index>(statuses.size()); ++pair)
+    if (statuses[at(pair)] == ContactStatus::Open &&
+        !(refined.movement(pair) > roundings * rounding(pair)))
+      statuses[at(pair)] = ContactStatus::Stick;
+  if (statuses == as_refined) return refined.system;
   ActiveSet set = active_set(statuses, data.scaled.law);
   std::stable_partition(set.closed.begin(), set.closed.end(), in(refined.system->rows));
   return std::make_shared<const ActiveSetSystem>(active_set_system(data.scaled, set));

@@ -134,11 +134,10 @@ std::optional<ContactState> infeasible_resultant(const ContactProblem& problem,
                                                  const ScaledProblem& scaled) {
   VectorXd way = posed_unbounded_direction(problem, scaled);
   if (way.size() == 0) return std::nullopt;
-  ActiveSetSolution none;
-  none.force = VectorXd::Zero(scaled.free.size());
-  none.movement = scaled.free;
-  none.amplitude = VectorXd::Zero(scaled.rigid.cols());
-  ContactState state = finished(problem, scaled, none, statuses_of({}, scaled.pairs()), Report());
+  ContactState state;
+  fill_state(problem.law, statuses_of({}, scaled.pairs()), VectorXd::Zero(scaled.free.size()),
+             free_movement(problem), state);
+  state.amplitude = VectorXd::Zero(problem.resultant.size());
   state.report.status = SolveStatus::Infeasible;
   if (!problem.law.pair.empty())
     state.reason =
