@@ -1,5 +1,4 @@
 #include <cmath>
-#include <limits>
 
 #include "catch_compat.hpp"
 #include "signorini/core/dense.hpp"
@@ -179,34 +178,6 @@ TEST_CASE("forces that do not balance the load of a free body are not confirmed"
     numbers.solution = {Eigen::Vector2d(1, 0), {}, Eigen::VectorXd::Constant(1, force)};
     CHECK(check_signs(data, numbers, {ContactStatus::Stick}).confirmed == (force == 1));
   }
-}
-
-TEST_CASE("the next correction is foreseen from the rate of the last two", "[refinement]") {
-  Corrections corrections;
-  CHECK(corrections.next(1e-3));
-  CHECK(corrections.foreseen == Approx(1e-6).epsilon(1e-12));  // the one before counts as 1
-  CHECK(corrections.next(1e-8));
-  CHECK(corrections.foreseen == Approx(1e-13).epsilon(1e-12));
-  CHECK(corrections.next(1e-7));  // no rate is above 1
-  CHECK(corrections.foreseen == Approx(1e-7).epsilon(1e-12));
-}
-
-TEST_CASE("a correction larger than what it corrects makes no rate look small", "[refinement]") {
-  Corrections corrections;
-  CHECK(corrections.next(20504));
-  CHECK(corrections.next(1e-6));
-  CHECK(corrections.foreseen == Approx(1e-12).epsilon(1e-12));
-}
-
-TEST_CASE("three corrections in a row that are not half of the best one end a refinement",
-          "[refinement]") {
-  Corrections corrections;
-  CHECK(corrections.next(1e-2));
-  for (int k = 0; k < 2; ++k) CHECK(corrections.next(0.6e-2));
-  CHECK(corrections.next(0.2e-2));  // shrinks: the count begins anew
-  for (int k = 0; k < 2; ++k) CHECK(corrections.next(0.11e-2));
-  CHECK_FALSE(corrections.next(0.11e-2));
-  CHECK_FALSE(Corrections().next(std::numeric_limits<double>::quiet_NaN()));
 }
 
 // The first sweep finds u and the forces, the second one finds nothing: two solves each.

@@ -1,4 +1,4 @@
-#include "addons/certified/at_rest.hpp"
+#include "addons/certified/members.hpp"
 
 #include <utility>
 #include <vector>
@@ -29,17 +29,17 @@ void put_apart(const ScaledProblem& problem, Iterate& iterate) {
   iterate.confirmed = true;
 }
 
-}  // namespace
-
-ContactState at_rest(const ContactProblem& problem, const SolverOptions& /*options*/) {
+ContactState solve_at_rest(const ContactProblem& problem, const SolverOptions& /*options*/) {
   const ScaledProblem scaled = equilibrate(problem);
   Iterate iterate = first_iterate(scaled);
   if (scaled.resultant.isZero(0)) put_apart(scaled, iterate);
   return finished(problem, scaled, std::move(iterate));
 }
 
+}  // namespace
+
 Solver at_rest() {
-  return Solver{"at_rest", "bodies that nothing pushes move apart", at_rest}
+  return Solver{"at_rest", "bodies that nothing pushes move apart", solve_at_rest}
       .may_fail_on({Trait::Ordinary, Trait::Asymmetric})
       .with_friction(Takes::Also)
       .with_rigid_modes();

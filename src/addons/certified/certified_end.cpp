@@ -14,22 +14,25 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+/// What of a force works along motions.
+VectorXd along(const MatrixXd& motions, const VectorXd& force) {
+  const MatrixXd Q = column_span(motions).basis;
+  return Q * (Q.transpose() * force);
+}
+
 /// K u should do no work along rigid motions, but the entries of K are rounded, and somebody must carry the work that it does. Pairs
 /// whose force is no larger than that hold nothing. The motions that are free without them take their part out of the residual.
 VectorXd spread(const RefinementData& data, const VectorXd& residual, const VectorXd& force,
                 const std::vector<Index>& rows) {
   const VectorXd inner = residual - (data.programme.load - data.programme.A.transpose() * force);
-  const auto along = [&](const MatrixXd& motions) {
-    const MatrixXd Q = column_span(motions).basis;
-    return VectorXd(Q * (Q.transpose() * inner));
-  };
-  const double nothing = along(data.null_vectors).lpNorm<1>();
+  const VectorXd work = along(data.null_vectors, inner);
   std::vector<Index> holding;
   for (const Index row : rows)
-    if (std::abs(force(row)) > nothing) holding.push_back(row);
-  if (holding.empty()) return residual - along(data.null_vectors);
+    if (std::abs(force(row)) > work.lpNorm<1>()) holding.push_back(row);
+  if (holding.empty()) return residual - work;
   const MatrixXd loose = null_space(data.condensed.rigid(holding, Eigen::all));
-  return loose.cols() == 0 ? residual : VectorXd(residual - along(data.null_vectors * loose));
+  if (loose.cols() == 0) return residual;
+  return residual - along(data.null_vectors * loose, inner);
 }
 
 /// Refines the best set once more where the certificate sees what rounding of K leaves along rigid motions.
@@ -41,7 +44,7 @@ void spread_imbalance(RefinedSets& sets) {
                          const std::vector<Index>& rows) {
     return spread(sets.data, residual, force, rows);
   };
-  sets.now = sets.end.solution;
+  sets.here.now = sets.end.solution;
   sets.refine(sets.statuses, sets.end.solution.force);
 }
 
@@ -69,9 +72,8 @@ bool rigid_motions_work(const RefinedSets& sets) {
   Certificate others = sets.end.certificate;
   others.equilibrium = others.duality_gap = 0;
   if (modes.cols() == 0 || !others.holds()) return false;
-  const MatrixXd Q = column_span(modes).basis;
   const VectorXd left = equilibrium_residual(sets.data.programme, sets.end.solution);
-  return largest(Q * (Q.transpose() * left)) > 0.5 * largest(left);
+  return largest(along(modes, left)) > 0.5 * largest(left);
 }
 
 }  // namespace
@@ -90,7 +92,7 @@ void conclude(RefinedSets& sets, CertifiedSolution& end) {
     state.unbounded_direction.resize(0);
     state.farkas_certificate.resize(0);
   } else if (state.farkas_certificate.size() > 0 &&
-             !proves_infeasible(programme, state.farkas_certificate, sets.now.displacement)) {
+             !proves_infeasible(programme, state.farkas_certificate, sets.here.now.displacement)) {
     state.report.status = SolveStatus::Breakdown;
     state.farkas_certificate.resize(0);
   } else if (state.report.status == SolveStatus::Solved) {

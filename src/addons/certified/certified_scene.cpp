@@ -9,6 +9,7 @@
 #include "addons/certified/proofs.hpp"
 #include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"
+#include "signorini/core/wording.hpp"
 #include "signorini/problem/systems.hpp"
 #include "signorini/scene/motions.hpp"
 #include "signorini/scene/rigid_modes.hpp"
@@ -27,7 +28,7 @@ VectorXd no_forces(const Model& model, const PrimalDual& refined) {
   const VectorXd rounding =
       row * epsilon * (programme.stiffness.cwiseAbs() * strained(refined).cwiseAbs());
   const auto along = [&](Index mode) {
-    const VectorXd shape = model.modes[static_cast<std::size_t>(mode)].shape.cwiseAbs();
+    const VectorXd shape = model.modes[at(mode)].shape.cwiseAbs();
     return shape.dot(rounding) / largest(shape);
   };
   std::vector<SystemParts> systems =
@@ -50,18 +51,16 @@ namespace {
 void note_open_motions(const Model& model, const CertifiedSolution& end,
                        std::vector<std::string>& notes) {
   if (model.modes.empty()) return;
-  const std::vector<ContactStatus> statuses = all_statuses(end.state);
-  ActiveSet set = active_set(statuses, model.law);
   // A pair that touches without a force holds nothing: it stops a motion one way only. Of forces as small as the
   // tension that a certificate lets pass, nobody knows whether they are any.
   const VectorXd nothing = no_forces(model, end.solution);
-  const auto idle = [&](Index row) {
-    const Index pairs = static_cast<Index>(statuses.size());
+  const Index pairs = end.state.force.size();
+  std::vector<Index> holding;
+  for (const Index row : active_set(all_statuses(end.state), model.law).closed) {
     const Index gap = row < pairs ? row : model.law.pair[at(row - pairs)];
-    return end.solution.force(gap) <= nothing(gap);
-  };
-  set.closed.erase(std::remove_if(set.closed.begin(), set.closed.end(), idle), set.closed.end());
-  const NodalRows held = selected_rows(model.programme.A, set.closed);
+    if (end.solution.force(gap) > nothing(gap)) holding.push_back(row);
+  }
+  const NodalRows held = selected_rows(model.programme.A, holding);
   for (const std::string& motion : motions_without_contact(held, model.modes))
     notes.push_back(motion + ": load and contact do not determine how far, this is one answer");
 }
@@ -91,7 +90,7 @@ Solution certified_solve(const Model& model, const Condensed& condensed, const S
   Solution solution =
       recovered(model, condensed, std::move(end), std::move(notes), std::move(ledger));
   const VectorXd& away = solution.contact.unbounded_direction;
-  solution.unbounded_direction = unbounded_direction_in_words(model, away);
+  solution.unbounded_direction = joined(in_words(model.modes, away), "; ");
   if (away.size() > 0 && !model.law.pair.empty() && model.parts.empty())
     solution.limit = balanced_share(condensed.problem, VectorXd::Zero(away.size()));
   return solution;

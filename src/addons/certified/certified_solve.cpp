@@ -29,15 +29,11 @@ class CertifiedSolve {
  public:
   CertifiedSolve(const QuadraticProgramme& programme, const CondensedProgramme& condensed,
                  const MatrixXd& modes, Ledger& ledger)
-      : programme_(programme),
-        modes_(modes),
-        ledger_(ledger),
-        problem_(condensed.problem),
-        sets_{{programme, condensed.solve_stiffness, problem_, scaled_, modes},
+      : sets_{{programme, condensed.solve_stiffness, condensed.problem, scaled_, modes},
               ledger,
               end_,
-              {condensed.free_displacement, {}, VectorXd::Zero(programme.initial_gap.size())},
-              VectorXd::Zero(modes.cols())} {}
+              {{condensed.free_displacement, {}, VectorXd::Zero(programme.initial_gap.size())},
+               VectorXd::Zero(modes.cols())}} {}
 
   CertifiedSolution run(const Solver& solver, const SolverOptions& options);
 
@@ -45,9 +41,6 @@ class CertifiedSolve {
   /// Refines a claim and changes pairs while fewer and fewer are wrong. \return whether all signs are right,
   /// or nothing new can be tried
   bool settle(const ContactState& claim);
-  /// The same for a claim without any force, whose closed pairs only touch: where closing them exactly takes forces, which
-  /// are nothing but rounding, none is closed. \return as above
-  bool settle_idle(std::vector<ContactStatus> statuses);
   /// Refines a set, and those that it asks for. \return as above
   bool exchange(std::vector<ContactStatus> statuses, VectorXd force);
   /// Puts the movements that displacements give in the place of those that the condensed data gave, and what
@@ -56,84 +49,68 @@ class CertifiedSolve {
   /// Takes over what a solver says about its run.
   void take_over(const ContactState& claim);
 
-  const QuadraticProgramme& programme_;
-  const MatrixXd& modes_;
-  Ledger& ledger_;
-  const ContactProblem& problem_;  // as it was condensed; of corrections refinement knows by itself
   std::optional<ContactProblem> corrected_;  // once there is something to correct, pass by pass
-  ScaledProblem scaled_;  // of problem_, from the first refinement on: a solver has its own
+  ScaledProblem scaled_;  // as condensed, from the first refinement on: a solver has its own
   CertifiedSolution end_;
   RefinedSets sets_;  // before a claim, what the free movements of the corrected problem belong to
+  const RefinementData& data_ = sets_.data;  // as it was condensed: refinement knows of corrections
   std::set<std::vector<ContactStatus>> seen_;
 };
 
 bool CertifiedSolve::settle(const ContactState& claim) {
-  const Ledger::Phase phase(ledger_, "refinement");
-  if (scaled_.scale.size() == 0) scaled_ = equilibrate(problem_);
-  std::vector<ContactStatus> statuses = all_statuses(claim);
-  VectorXd force(claim.force.size() + claim.friction.size());
-  force << claim.force, claim.friction;
+  const Ledger::Phase phase(sets_.ledger, "refinement");
+  if (scaled_.scale.size() == 0) scaled_ = equilibrate(data_.condensed);
+  const VectorXd force = all_forces(claim);
+  if (data_.null_vectors.cols() == 0 || claim.report.status != SolveStatus::Solved)
+    return exchange(all_statuses(claim), force);
   // A motion that the closed pairs leave open must begin where the claim has it.
-  if (modes_.cols() > 0 && claim.report.status == SolveStatus::Solved) {
-    const bool moves = largest(modes_ * claim.amplitude) >= smallest_movement;
-    const VectorXd amplitude = moves ? claim.amplitude : VectorXd::Zero(sets_.amplitude.size());
-    add_rigid(sets_.now, modes_, amplitude - sets_.amplitude);
-    sets_.amplitude = amplitude;
-    if (force.isZero(0)) return settle_idle(std::move(statuses));
-  }
-  return exchange(std::move(statuses), std::move(force));
-}
-
-bool CertifiedSolve::settle_idle(std::vector<ContactStatus> statuses) {
-  const PrimalDual start = sets_.now;
-  const VectorXd amplitude = sets_.amplitude;
-  const VectorXd none = VectorXd::Zero(start.force.size());
-  const std::vector<ContactStatus> open = statuses_of({}, problem_.free_gap.size());
-  const bool settled = exchange(std::move(statuses), none);
-  if (end_.certificate.holds() || !seen_.insert(open).second) return settled;
-  sets_.now = start;
-  sets_.amplitude = amplitude;
-  return sets_.refine(open, none).confirmed || settled;
+  const bool moves = largest(data_.null_vectors * claim.amplitude) >= smallest_movement;
+  const VectorXd amplitude = moves ? claim.amplitude : VectorXd::Zero(data_.null_vectors.cols());
+  add_rigid(sets_.here.now, data_.null_vectors, amplitude - sets_.here.amplitude);
+  sets_.here.amplitude = amplitude;
+  const RefinedSets::Place start = sets_.here;
+  const bool settled = exchange(all_statuses(claim), force);
+  // Of a claim without any force the closed pairs only touch: where closing them exactly takes forces, which
+  // are nothing but rounding, none is closed.
+  const std::vector<ContactStatus> open = statuses_of({}, data_.condensed.free_gap.size());
+  if (!force.isZero(0) || end_.certificate.holds() || !seen_.insert(open).second) return settled;
+  sets_.here = start;
+  return sets_.refine(open, force).confirmed || settled;
 }
 
 bool CertifiedSolve::exchange(std::vector<ContactStatus> statuses, VectorXd force) {
-  for (Index last = std::numeric_limits<Index>::max();;) {
-    if (!seen_.insert(statuses).second) return last == std::numeric_limits<Index>::max();
-    const bool first = last == std::numeric_limits<Index>::max();
-    RefinedSolution before = first ? RefinedSolution() : std::move(sets_.last);
-    PrimalDual start = first ? PrimalDual() : sets_.now;
-    const VectorXd amplitude = sets_.amplitude;
+  if (seen_.count(statuses) > 0) return true;
+  RefinedSets::Place before;
+  for (Index last = data_.condensed.free_gap.size() + 1; seen_.insert(statuses).second;) {
     SignCheck verdict = sets_.refine(statuses, force);
-    if (verdict.confirmed || !sets_.now.displacement.allFinite()) return true;
-    if (!sets_.last.settled && before.settled) {  // what came before can be corrected
-      sets_.last = std::move(before);
-      sets_.now = std::move(start);
-      sets_.amplitude = amplitude;
-      return false;
-    }
-    if (!sets_.last.settled || verdict.wrong == 0 || verdict.wrong >= last) return false;
+    const bool settles = sets_.here.last.settled;
+    if (verdict.confirmed || !sets_.here.now.displacement.allFinite()) return true;
+    if (!settles && before.last.settled) sets_.here = before;  // what came before can be corrected
+    if (!settles || verdict.wrong == 0 || verdict.wrong >= last) return false;
     last = verdict.wrong;
     statuses = std::move(verdict.statuses);
-    force = sets_.now.force;
+    force = sets_.here.now.force;
+    before = sets_.here;
   }
+  return false;
 }
 
 void CertifiedSolve::correct() {
-  if (!corrected_) corrected_ = problem_;
-  VectorXd free = sets_.last.movement - problem_.compliance * sets_.now.force;
-  VectorXd terms =
-      sets_.last.movement.cwiseAbs() + problem_.compliance.cwiseAbs() * sets_.now.force.cwiseAbs();
-  if (modes_.cols() > 0) {
-    free -= problem_.rigid * sets_.amplitude;
-    terms += problem_.rigid.cwiseAbs() * sets_.amplitude.cwiseAbs();
-    PrimalDual strained = sets_.now;
+  if (!corrected_) corrected_ = data_.condensed;
+  const auto& [now, amplitude, last] = sets_.here;
+  VectorXd free = last.movement - data_.condensed.compliance * now.force;
+  VectorXd terms = last.movement.cwiseAbs() + data_.condensed.compliance.cwiseAbs() * now.force.cwiseAbs();
+  if (data_.null_vectors.cols() > 0) {
+    free -= data_.condensed.rigid * amplitude;
+    terms += data_.condensed.rigid.cwiseAbs() * amplitude.cwiseAbs();
+    PrimalDual strained = now;
     strained.force.setZero();
-    const VectorXd left = -resultant_left(programme_, strained, modes_, 0);
+    const VectorXd left = -resultant_left(data_.programme, strained, data_.null_vectors, 0);
     corrected_->resultant = (left.array().abs() >= smallest_resultant).select(left, 0.0);
   }
   // The others are rounding, or of no size that a problem may have.
   free = (free.array().abs() > (epsilon * terms.array()).max(smallest_movement)).select(free, 0.0);
-  const Index pairs = problem_.free_gap.size();
+  const Index pairs = data_.condensed.free_gap.size();
   corrected_->free_gap = free.head(pairs);
   corrected_->free_slip = free.tail(free.size() - pairs);
 }
@@ -144,36 +121,31 @@ void CertifiedSolve::take_over(const ContactState& claim) {
   state.uniqueness = claim.uniqueness;
   state.uniqueness_warning = claim.uniqueness_warning;
   state.reason = claim.reason;
-  state.unbounded_direction = claim.unbounded_direction;
-  state.farkas_certificate = claim.farkas_certificate;
   // What is proved of the corrected problem is not proved of the one that was posed.
-  if (corrected_ && claim.report.status == SolveStatus::Infeasible) {
-    state.report.status = SolveStatus::Breakdown;
-    state.unbounded_direction.resize(0);
-    state.farkas_certificate.resize(0);
-  }
+  const bool proved = !corrected_ || claim.report.status != SolveStatus::Infeasible;
+  state.unbounded_direction = proved ? claim.unbounded_direction : VectorXd();
+  state.farkas_certificate = proved ? claim.farkas_certificate : VectorXd();
+  if (!proved) state.report.status = SolveStatus::Breakdown;
 }
 
 CertifiedSolution CertifiedSolve::run(const Solver& solver, const SolverOptions& options) {
   // Every pass brings a new set, but sets are too many to try: a pass that does not halve the worst figure of
   // the certificate has no successor but one.
   double best = std::numeric_limits<double>::infinity();
-  for (int idle = 0; idle < 2;) {
+  for (int idle = 0; idle < 2; correct()) {
     ContactState claim;
     {
-      const Ledger::Phase phase(ledger_, "contact");
-      claim = solve_with_proofs(corrected_ ? *corrected_ : problem_, solver, options);
-      ledger_.count("iterations", claim.report.iterations);
-      ledger_.count("factorisations", claim.report.factorisations);
+      const Ledger::Phase phase(sets_.ledger, "contact");
+      claim = solve_with_proofs(corrected_ ? *corrected_ : data_.condensed, solver, options);
+      sets_.ledger.count("iterations", claim.report.iterations);
+      sets_.ledger.count("factorisations", claim.report.factorisations);
     }
     take_over(claim);
-    if (!usable(claim, problem_.free_gap.size())) break;
-    if (settle(claim)) break;
-    if (!sets_.last.settled) break;  // nothing to correct the condensed problem with
+    if (!usable(claim, data_.condensed.free_gap.size()) || settle(claim)) break;
+    if (!sets_.here.last.settled) break;  // nothing to correct the condensed problem with
     const double worst = end_.certificate.worst();
     idle = worst < 0.5 * best ? 0 : idle + 1;
     best = std::min(best, worst);
-    correct();
   }
   conclude(sets_, end_);
   return std::move(end_);

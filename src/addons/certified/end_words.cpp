@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "signorini/core/errors.hpp"
-#include "signorini/core/rounding.hpp"
+#include "signorini/core/index.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/core/wording.hpp"
 #include "signorini/scene/bodies.hpp"
@@ -11,21 +11,15 @@
 namespace signorini {
 
 using Eigen::Index;
-using Eigen::VectorXd;
 
 std::string pair_in_words(const Model& model, Index pair) {
-  const Index node = model.pairs.node[static_cast<std::size_t>(pair)];
+  const Index node = model.pairs.node[at(pair)];
   std::string words = text("pair ", pair);
   if (node >= 0) {
-    const std::size_t b = body_of_node(model.bodies, node);
-    words += text(" of node ", node - model.bodies[b].first_node, " of body '",
-                  model.bodies[b].mesh.name, '\'');
+    const BodyModel& body = model.bodies[body_of_node(model.bodies, node)];
+    words += text(" of node ", node - body.first_node, " of body '", body.mesh.name, '\'');
   }
   return words + " at " + in_brackets(model.pairs.position.row(pair));
-}
-
-std::string unbounded_direction_in_words(const Model& model, const VectorXd& unbounded_direction) {
-  return joined(in_words(model.modes, unbounded_direction), "; ");
 }
 
 std::string uniqueness_warning_in_words(const Model& model, const UniquenessWarning& figure) {
@@ -58,17 +52,15 @@ std::string ray_in_words(const Model& model) {
   return text(end,
               "where only contact holds a body, there need be no solution once friction is "
               "beyond some value. The largest friction coefficient is ",
-              mu, ", of ", pair_in_words(model, law.pair[static_cast<std::size_t>(most)]),
+              mu, ", of ", pair_in_words(model, law.pair[at(most)]),
               ", the largest cohesion of a pair ", law.cohesion.maxCoeff(), "; take less, or ",
               hold);
 }
 
 std::string force_uncertainty_in_words(const Model& model, const ForceUncertainty& figure) {
-  const std::string contact =
-      model.contacts.empty()
-          ? ""
-          : text("contact '",
-                 model.contacts[model.contact_of[static_cast<std::size_t>(figure.pair)]], "': ");
+  std::string contact;
+  if (!model.contacts.empty())
+    contact = text("contact '", model.contacts[model.contact_of[at(figure.pair)]], "': ");
   const std::string share =
       figure.share < 0.99
           ? text("known only to ", number(100 * figure.share, "%.2g"), " % of the largest")

@@ -12,13 +12,6 @@ namespace signorini {
 /// Where a pair is. \param model  that has it \param pair  its number \return its node, if it has one, and the place
 [[nodiscard]] std::string pair_in_words(const Model& model, Eigen::Index pair);
 
-/// How bodies move along a direction that nothing stops.
-/// \param model   that was solved
-/// \param unbounded_direction  `n_r` amplitudes of its free motions, or nothing
-/// \return sentences, joined by "; "
-[[nodiscard]] std::string unbounded_direction_in_words(const Model& model,
-                                                       const Eigen::VectorXd& unbounded_direction);
-
 /// The warning of several solutions: which pair it rests on, and from which friction on it holds.
 /// \param model  that was solved
 /// \param figure  of its solution, see uniqueness_warning()

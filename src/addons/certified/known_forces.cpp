@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <memory>
 #include <utility>
 
@@ -19,82 +18,77 @@ using Rows = std::vector<Index>;
 /// Solves at most. The signs seldom change after the second.
 constexpr int most_solves = 4;
 
+/// \return whether a row is one of some
+auto in(Rows rows) {
+  std::sort(rows.begin(), rows.end());
+  return [rows = std::move(rows)](Index row) {
+    return std::binary_search(rows.begin(), rows.end(), row);
+  };
+}
+
 /// The system of the pairs that are closed, or might be. Those that rounding may have opened stick; they come last, so that they
 /// repeat the others, not the other way round.
 std::shared_ptr<const ActiveSetSystem> touching_system(const RefinementData& data,
                                                        const RefinedSolution& refined,
                                                        const VectorXd& rounding,
                                                        std::vector<ContactStatus>& statuses) {
+  const std::vector<ContactStatus> as_refined = statuses;
   const auto roundings =
       2 * static_cast<double>(closed_pairs(statuses).size() + 1);  // as in check_signs()
-  bool as_refined = true;
-  for (std::size_t i = 0; i < statuses.size(); ++i) {
-    const Index pair = static_cast<Index>(i);
-    if (statuses[i] != ContactStatus::Open || refined.movement(pair) > roundings * rounding(pair))
-      continue;
-    statuses[i] = ContactStatus::Stick;
-    as_refined = false;
-  }
-  if (as_refined) return refined.system;
+  for (Index pair = 0; pair < static_cast<Index>(statuses.size()); ++pair)
+    if (statuses[at(pair)] == ContactStatus::Open &&
+        !(refined.movement(pair) > roundings * rounding(pair)))
+      statuses[at(pair)] = ContactStatus::Stick;
+  if (statuses == as_refined) return refined.system;
   ActiveSet set = active_set(statuses, data.scaled.law);
-  Rows before = refined.system->rows;
-  std::sort(before.begin(), before.end());
-  std::stable_partition(set.closed.begin(), set.closed.end(), [&before](Index row) {
-    return std::binary_search(before.begin(), before.end(), row);
-  });
+  std::stable_partition(set.closed.begin(), set.closed.end(), in(refined.system->rows));
   return std::make_shared<const ActiveSetSystem>(active_set_system(data.scaled, set));
 }
 
 /// Forces of all rows that a system answers given movements of its rows with.
-class Estimate {
- public:
-  Estimate(const RefinementData& data, const ActiveSetSystem& system)
-      : data_(data), system_(system) {}
+struct Estimate {
+  const RefinementData& data;
+  const ActiveSetSystem& system;
+
+  [[nodiscard]] VectorXd answer(const VectorXd& top, const VectorXd& bottom) const {
+    VectorXd force = VectorXd::Zero(data.scaled.scale.size());
+    force(system.rows) = system.solve(top, bottom).first;
+    return force.cwiseProduct(data.scaled.scale);
+  }
 
   /// The forces that the worst signs of roundings make.
   [[nodiscard]] VectorXd worst(const VectorXd& rounding) const {
-    const VectorXd size = rounding.cwiseProduct(data_.scaled.scale)(system_.rows);
-    const VectorXd bottom = VectorXd::Zero(data_.scaled.rigid.cols());
+    const VectorXd size = rounding.cwiseProduct(data.scaled.scale)(system.rows);
     VectorXd sign(size.size());
     for (Index k = 0; k < sign.size(); ++k) sign(k) = k % 2 == 0 ? 1 : -1;
     VectorXd most = VectorXd::Zero(rounding.size());
     for (int solve = 0; solve < most_solves; ++solve) {
-      VectorXd force = answer(size.cwiseProduct(sign), bottom);
+      const VectorXd force =
+          answer(size.cwiseProduct(sign), VectorXd::Zero(data.scaled.rigid.cols()));
       if (!(largest(force) > largest(most))) break;
-      most = std::move(force);
-      for (Index k = 0; k < sign.size(); ++k) sign(k) = most(system_.rows[at(k)]) < 0 ? -1 : 1;
+      most = force;
+      sign = (most(system.rows).array() < 0).select(VectorXd::Constant(sign.size(), -1), 1.0);
     }
     return most;
   }
 
   /// A force of 1, scaled, on each of some rows, with what the system answers so that no gap moves.
   [[nodiscard]] VectorXd beside(const Rows& others) const {
-    const ScaledProblem& scaled = data_.scaled;
-    VectorXd one = VectorXd::Zero(scaled.scale.size());
+    VectorXd one = VectorXd::Zero(data.scaled.scale.size());
     one(others).setOnes();
-    VectorXd bottom = VectorXd::Zero(scaled.rigid.cols());
-    if (bottom.size() > 0) bottom = scaled.rigid.transpose() * one;
-    const VectorXd moved = scaled.compliance * one;
-    return one.cwiseProduct(scaled.scale) - answer(moved(system_.rows), bottom);
+    VectorXd bottom;
+    if (data.scaled.rigid.cols() > 0) bottom = data.scaled.rigid.transpose() * one;
+    const VectorXd moved = data.scaled.compliance * one;
+    return one.cwiseProduct(data.scaled.scale) - answer(moved(system.rows), bottom);
   }
 
   /// Whether forces of all rows do nothing to any body, and could as well be others.
   [[nodiscard]] bool idle(const VectorXd& force) const {
-    const auto& A = data_.programme.A;
+    const auto& A = data.programme.A;
     const VectorXd push = A.transpose() * force;
     const VectorXd terms = A.cwiseAbs().transpose() * force.cwiseAbs();
     return largest(push) <= std::sqrt(epsilon) * largest(terms);
   }
-
- private:
-  [[nodiscard]] VectorXd answer(const VectorXd& top, const VectorXd& bottom) const {
-    VectorXd force = VectorXd::Zero(data_.scaled.scale.size());
-    force(system_.rows) = system_.solve(top, bottom).first;
-    return force.cwiseProduct(data_.scaled.scale);
-  }
-
-  const RefinementData& data_;
-  const ActiveSetSystem& system_;
 };
 
 }  // namespace
@@ -112,17 +106,12 @@ ForceUncertainty force_uncertainty(const RefinementData& data, const RefinedSolu
   const VectorXd rounding = movement_rounding(data.programme, solution);
   const auto system = touching_system(data, refined, rounding, statuses);
   if (system->rows.empty()) return {};
-  const Estimate estimate(data, *system);
+  const Estimate estimate{data, *system};
   VectorXd force = estimate.worst(rounding);
   ForceUncertainty uncertainty;
   uncertainty.share = estimate.idle(force) ? 0 : std::min(1.0, largest(force) / most);
-  Rows closed = active_set(statuses, data.scaled.law).closed;
-  Rows independent = system->rows;
-  std::sort(closed.begin(), closed.end());
-  std::sort(independent.begin(), independent.end());
-  Rows repeated;
-  std::set_difference(closed.begin(), closed.end(), independent.begin(), independent.end(),
-                      std::back_inserter(repeated));
+  Rows repeated = active_set(statuses, data.scaled.law).closed;
+  repeated.erase(std::remove_if(repeated.begin(), repeated.end(), in(system->rows)), repeated.end());
   if (!repeated.empty()) {
     if (const VectorXd other = estimate.beside(repeated); !estimate.idle(other)) {
       force = other;

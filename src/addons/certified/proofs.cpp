@@ -7,8 +7,9 @@
 
 #include "addons/certified/bounded_least_squares.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"
-#include "signorini/problem/exact_sum.hpp"
+#include "signorini/problem/exact_vector.hpp"
 
 namespace signorini {
 namespace {
@@ -16,17 +17,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-/// A^T y for the first rows of A, summed in twice the working precision.
-VectorXd combined(const MatrixXd& A, const VectorXd& y) {
-  VectorXd result(A.cols());
-  for (Index j = 0; j < A.cols(); ++j) {
-    ExactSum sum;
-    for (Index i = 0; i < y.size(); ++i) sum.add_product(A(i, j), y(i));
-    result(j) = sum.value();
-  }
-  return result;
-}
 
 /// The resultants that contact can give: one edge of each friction cone on either side, and then the tangential
 /// direction of each cohesive pair, of which only so much can be had; with cohesion the load counts from -c.
@@ -41,7 +31,7 @@ BoundedWeights cone_generators(const ScaledProblem& problem) {
   all.direction.topRows(pairs) = problem.rigid.topRows(pairs);
   Index last = pairs + slips;
   for (Index k = 0; k < slips; ++k) {
-    const Index pair = problem.law.pair[static_cast<std::size_t>(k)];
+    const Index pair = problem.law.pair[at(k)];
     const double mu = problem.law.coefficient(k);
     const double c = problem.law.cohesion(k);
     all.direction.row(pair) += mu * problem.rigid.row(pairs + k);
@@ -58,7 +48,9 @@ BoundedWeights cone_generators(const ScaledProblem& problem) {
 bool is_unbounded_direction(const MatrixXd& rigid, const VectorXd& resultant,
                             const FrictionLaw& law, const VectorXd& way) {
   const Index pairs = rigid.rows() - static_cast<Index>(law.pair.size());
-  const VectorXd moved = combined(rigid.transpose(), way);
+  ExactVector sum(VectorXd::Zero(rigid.rows()));
+  sum.add_products(rigid.transpose(), way);
+  const VectorXd moved = sum.value();
   const VectorXd size = rigid.cwiseAbs() * way.cwiseAbs();
   ExactSum work;
   for (Index j = 0; j < way.size(); ++j) work.add_product(resultant(j), way(j));
@@ -66,7 +58,7 @@ bool is_unbounded_direction(const MatrixXd& rigid, const VectorXd& resultant,
   VectorXd opening = moved.head(pairs);
   VectorXd rounding = VectorXd::Constant(pairs, proof_rounding * largest(size));
   for (Index k = 0; k < law.coefficient.size(); ++k) {
-    const Index pair = law.pair[static_cast<std::size_t>(k)];
+    const Index pair = law.pair[at(k)];
     const double slip = std::abs(moved(pairs + k));
     opening(pair) -= law.coefficient(k) * slip;
     rounding(pair) *= 1 + law.coefficient(k);
@@ -142,11 +134,10 @@ std::optional<ContactState> infeasible_resultant(const ContactProblem& problem,
                                                  const ScaledProblem& scaled) {
   VectorXd way = posed_unbounded_direction(problem, scaled);
   if (way.size() == 0) return std::nullopt;
-  ActiveSetSolution none;
-  none.force = VectorXd::Zero(scaled.free.size());
-  none.movement = scaled.free;
-  none.amplitude = VectorXd::Zero(scaled.rigid.cols());
-  ContactState state = finished(problem, scaled, none, statuses_of({}, scaled.pairs()), Report());
+  ContactState state;
+  fill_state(problem.law, statuses_of({}, scaled.pairs()), VectorXd::Zero(scaled.free.size()),
+             free_movement(problem), state);
+  state.amplitude = VectorXd::Zero(problem.resultant.size());
   state.report.status = SolveStatus::Infeasible;
   if (!problem.law.pair.empty())
     state.reason =
@@ -164,15 +155,13 @@ bool proves_infeasible(const QuadraticProgramme& programme, const VectorXd& y, c
       (y.tail(m - equations).array() < 0).any())
     return false;
   ExactSum work;
-  std::vector<ExactSum> moved(static_cast<std::size_t>(u.size()));
+  ExactVector moved(VectorXd::Zero(u.size()));
+  const Eigen::SparseMatrix<double> columns = programme.A.transpose();
   for (Index i = 0; i < m; ++i) {
     work.add_product(programme.initial_gap(i), y(i));
-    for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator it(programme.A, i); it; ++it)
-      moved[static_cast<std::size_t>(it.col())].add_product(it.value(), y(i));
+    moved.add_product(columns, i, y(i));
   }
-  double escape = 0;
-  for (Index j = 0; j < u.size(); ++j)
-    escape += std::abs(moved[static_cast<std::size_t>(j)].value() * u(j));
+  const double escape = moved.value().cwiseProduct(u).lpNorm<1>();
   const double rounding = epsilon * programme.initial_gap.head(m).cwiseAbs().dot(y.cwiseAbs());
   return -work.value() > static_cast<double>(m) * rounding &&
          -work.value() * std::sqrt(epsilon) > escape;

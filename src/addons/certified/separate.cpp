@@ -20,96 +20,92 @@ void put(const VectorXd& part, const Places& places, Index size, VectorXd& whole
   whole(places) = part;
 }
 
-/// One system beside the whole that it is a part of.
-class Separate {
- public:
-  Separate(const QuadraticProgramme& programme, const CondensedProgramme& condensed,
-           const MatrixXd& null_vectors, const SystemParts& parts)
-      : whole_(condensed.problem), parts_(parts), programme_(part_of(programme, parts)) {
+/// One system beside the whole that it is a part of: its gaps and slips by their numbers there.
+struct Separate {
+  const ContactProblem& whole;
+  const SystemParts& parts;
+  Places gaps = {}, slips = {};
+
+  Separate(const ContactProblem& problem, const SystemParts& system)
+      : whole(problem), parts(system) {
     for (const Index row : parts.rows)
-      (row < pairs() ? gaps_ : slips_).push_back(row < pairs() ? row : row - pairs());
-    problem_.compliance = whole_.compliance(parts.rows, parts.rows);
-    problem_.free_gap = whole_.free_gap(gaps_);
-    problem_.free_slip = whole_.free_slip(slips_);
-    problem_.law = part_of(whole_.law, pairs(), parts);
-    if (!parts.modes.empty()) {
-      problem_.rigid = whole_.rigid(parts.rows, parts.modes);
-      problem_.resultant = whole_.resultant(parts.modes);
-      modes_ = null_vectors(parts.unknowns, parts.modes);
-    }
-    free_ = condensed.free_displacement(parts.unknowns);
+      (row < pairs() ? gaps : slips).push_back(row < pairs() ? row : row - pairs());
   }
-
-  CertifiedSolution end(const CondensedProgramme& condensed, const Solver& solver,
-                        SolverOptions options, Ledger& ledger) const {
-    if (static_cast<Index>(options.start.size()) == pairs()) {
-      std::vector<ContactStatus> start;
-      for (const Index pair : gaps_) start.push_back(options.start[at(pair)]);
-      options.start = std::move(start);
-    }
-    CondensedProgramme small{problem_, free_, {}};
-    if (condensed.solve_part) small.solve_stiffness = condensed.solve_part(parts_.unknowns);
-    if (!small.solve_stiffness)
-      small.solve_stiffness = [&](const VectorXd& load) {
-        VectorXd all;
-        put(load, parts_.unknowns, condensed.free_displacement.size(), all);
-        return VectorXd(condensed.solve_stiffness(all)(parts_.unknowns));
-      };
-    return certified_solve(programme_, small, modes_, solver, options, ledger);
-  }
-
-  /// Adds the end of this system to those before it.
-  void put_into(CertifiedSolution& whole, CertifiedSolution part, Index unknowns) const;
-
- private:
-  [[nodiscard]] Index pairs() const { return whole_.free_gap.size(); }
-
-  const ContactProblem& whole_;
-  const SystemParts& parts_;
-  Places gaps_;
-  Places slips_;
-  QuadraticProgramme programme_;
-  ContactProblem problem_;
-  MatrixXd modes_;
-  VectorXd free_;
+  [[nodiscard]] Index pairs() const { return whole.free_gap.size(); }
+  [[nodiscard]] ContactProblem problem() const;
+  void put_into(CertifiedSolution& all, CertifiedSolution part, Index unknowns) const;
 };
 
-void Separate::put_into(CertifiedSolution& whole, CertifiedSolution part, Index unknowns) const {
-  const Index slips = whole_.free_slip.size();
-  const Index modes = whole_.resultant.size();
-  PrimalDual& solution = whole.solution;
-  put(part.solution.displacement, parts_.unknowns, unknowns, solution.displacement);
-  put(part.solution.displacement_low, parts_.unknowns, unknowns, solution.displacement_low);
-  put(part.solution.rigid, parts_.unknowns, unknowns, solution.rigid);
-  put(part.solution.force, parts_.rows, pairs() + slips, solution.force);
-  ContactState& all = whole.state;
+ContactProblem Separate::problem() const {
+  ContactProblem own{whole.compliance(parts.rows, parts.rows), whole.free_gap(gaps)};
+  own.free_slip = whole.free_slip(slips);
+  own.law = part_of(whole.law, pairs(), parts);
+  if (parts.modes.empty()) return own;
+  own.rigid = whole.rigid(parts.rows, parts.modes);
+  own.resultant = whole.resultant(parts.modes);
+  return own;
+}
+
+/// Sends one system down the road.
+CertifiedSolution end_of(const Separate& system, const QuadraticProgramme& programme,
+                         const CondensedProgramme& condensed, const MatrixXd& null_vectors,
+                         const Solver& solver, SolverOptions options, Ledger& ledger) {
+  const SystemParts& parts = system.parts;
+  if (static_cast<Index>(options.start.size()) == system.pairs()) {
+    std::vector<ContactStatus> start;
+    for (const Index pair : system.gaps) start.push_back(options.start[at(pair)]);
+    options.start = std::move(start);
+  }
+  const ContactProblem problem = system.problem();
+  const VectorXd free = condensed.free_displacement(parts.unknowns);
+  CondensedProgramme small{problem, free, {}};
+  if (condensed.solve_part) small.solve_stiffness = condensed.solve_part(parts.unknowns);
+  if (!small.solve_stiffness)
+    small.solve_stiffness = [&](const VectorXd& load) {
+      VectorXd all;
+      put(load, parts.unknowns, condensed.free_displacement.size(), all);
+      return VectorXd(condensed.solve_stiffness(all)(parts.unknowns));
+    };
+  const MatrixXd modes =
+      parts.modes.empty() ? MatrixXd() : MatrixXd(null_vectors(parts.unknowns, parts.modes));
+  return certified_solve(part_of(programme, parts), small, modes, solver, options, ledger);
+}
+
+/// Adds the end of this system to those before it.
+void Separate::put_into(CertifiedSolution& all, CertifiedSolution part, Index unknowns) const {
+  const Index n_slips = whole.free_slip.size();
+  const Index modes = whole.resultant.size();
+  PrimalDual& solution = all.solution;
+  put(part.solution.displacement, parts.unknowns, unknowns, solution.displacement);
+  put(part.solution.displacement_low, parts.unknowns, unknowns, solution.displacement_low);
+  put(part.solution.rigid, parts.unknowns, unknowns, solution.rigid);
+  put(part.solution.force, parts.rows, pairs() + n_slips, solution.force);
+  ContactState& state = all.state;
   const ContactState& now = part.state;
-  put(now.force, gaps_, pairs(), all.force);
-  put(now.gap, gaps_, pairs(), all.gap);
-  put(now.farkas_certificate, gaps_, pairs(), all.farkas_certificate);
-  put(now.friction, slips_, slips, all.friction);
-  put(now.slip, slips_, slips, all.slip);
-  put(now.amplitude, parts_.modes, modes, all.amplitude);
-  put(now.unbounded_direction, parts_.modes, modes, all.unbounded_direction);
-  for (const Index pair : now.active) all.active.push_back(gaps_[at(pair)]);
-  all.contact_status.resize(at(slips), ContactStatus::Open);
+  put(now.force, gaps, pairs(), state.force);
+  put(now.gap, gaps, pairs(), state.gap);
+  put(now.farkas_certificate, gaps, pairs(), state.farkas_certificate);
+  put(now.friction, slips, n_slips, state.friction);
+  put(now.slip, slips, n_slips, state.slip);
+  put(now.amplitude, parts.modes, modes, state.amplitude);
+  put(now.unbounded_direction, parts.modes, modes, state.unbounded_direction);
+  for (const Index pair : now.active) state.active.push_back(gaps[at(pair)]);
+  state.contact_status.resize(at(n_slips), ContactStatus::Open);
   for (std::size_t k = 0; k < now.contact_status.size(); ++k)
-    all.contact_status[at(slips_[k])] = now.contact_status[k];
-  const bool first_warning =
-      now.uniqueness == Uniqueness::Doubtful && all.uniqueness != Uniqueness::Doubtful;
-  if (first_warning) all.uniqueness_warning = now.uniqueness_warning;
-  if (first_warning && now.uniqueness_warning.pair >= 0)
-    all.uniqueness_warning.pair = gaps_[at(now.uniqueness_warning.pair)];
-  if (!parts_.rows.empty()) all.uniqueness = std::max(all.uniqueness, now.uniqueness);
-  if (part.force_uncertainty.share > whole.force_uncertainty.share)
-    whole.force_uncertainty = {gaps_[at(part.force_uncertainty.pair)],
-                               part.force_uncertainty.share};
-  const SolveStatus before = all.report.status;
-  append(all.report, now.report);
+    state.contact_status[at(slips[k])] = now.contact_status[k];
+  if (now.uniqueness == Uniqueness::Doubtful && state.uniqueness != Uniqueness::Doubtful) {
+    state.uniqueness_warning = now.uniqueness_warning;
+    if (Index& pair = state.uniqueness_warning.pair; pair >= 0) pair = gaps[at(pair)];
+  }
+  if (!parts.rows.empty()) state.uniqueness = std::max(state.uniqueness, now.uniqueness);
+  if (const ForceUncertainty& own = part.force_uncertainty; own.share > all.force_uncertainty.share)
+    all.force_uncertainty = {gaps[at(own.pair)], own.share};
+  const SolveStatus before = state.report.status;
+  append(state.report, now.report);
   if (before != SolveStatus::Solved)
-    all.report.status = before;
+    state.report.status = before;
   else
-    all.reason = now.reason;
+    state.reason = now.reason;
 }
 
 }  // namespace
@@ -124,8 +120,9 @@ CertifiedSolution separate_solutions(const QuadraticProgramme& programme,
   if (!condensed.problem.law.pair.empty()) whole.state.uniqueness = Uniqueness::Proved;
   bool complete = true;
   for (const SystemParts& parts : systems) {
-    const Separate system(programme, condensed, null_vectors, parts);
-    CertifiedSolution end = system.end(condensed, solver, options, ledger);
+    const Separate system(condensed.problem, parts);
+    CertifiedSolution end =
+        end_of(system, programme, condensed, null_vectors, solver, options, ledger);
     complete = complete && end.solution.displacement.size() > 0;
     system.put_into(whole, std::move(end), programme.load.size());
   }

@@ -1,4 +1,4 @@
-#include "addons/certified/soft_pairs.hpp"
+#include "addons/certified/members.hpp"
 
 #include <utility>
 
@@ -55,9 +55,7 @@ void follow_soft_pairs(const ScaledProblem& problem, Iterate& iterate) {
   }
 }
 
-}  // namespace
-
-ContactState soft_pairs(const ContactProblem& problem, const SolverOptions& /*options*/) {
+ContactState solve_soft_pairs(const ContactProblem& problem, const SolverOptions& /*options*/) {
   const ScaledProblem scaled =
       problem.resultant.size() > 0 ? equilibrate(problem) : equilibrate_any(problem);
   Iterate iterate = first_iterate(scaled);
@@ -65,8 +63,10 @@ ContactState soft_pairs(const ContactProblem& problem, const SolverOptions& /*op
   return finished(problem, scaled, std::move(iterate));
 }
 
+}  // namespace
+
 Solver soft_pairs() {
-  return Solver{"soft_pairs", "pairs that give way less and less", soft_pairs}
+  return Solver{"soft_pairs", "pairs that give way less and less", solve_soft_pairs}
       .may_fail_on({Trait::Friction})
       .with_friction(Takes::Only)
       .with_rigid_modes();

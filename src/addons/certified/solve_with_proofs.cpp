@@ -2,10 +2,9 @@
 
 #include <vector>
 
-#include "addons/certified/at_rest.hpp"
 #include "addons/certified/many_bodies.hpp"
+#include "addons/certified/members.hpp"
 #include "addons/certified/proofs.hpp"
-#include "addons/certified/soft_pairs.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/solvers/portfolio.hpp"
 
@@ -21,20 +20,6 @@ Solver strengthened(const Solver& solver, const ContactProblem& problem) {
   return strong;
 }
 
-/// Forces and movements of a solution in the units of the scaled problem.
-ActiveSetSolution solution_of(const ScaledProblem& scaled, const ContactState& state) {
-  ActiveSetSolution solution;
-  solution.force.resize(scaled.free.size());
-  solution.force << state.force, state.friction;
-  solution.force.array() /= scaled.scale.array();
-  solution.movement.resize(scaled.free.size());
-  solution.movement << state.gap, state.slip;
-  solution.movement.array() *= scaled.scale.array();
-  solution.force_rounding = static_cast<double>(scaled.free.size() + scaled.rigid.cols() + 1) *
-                            epsilon * largest(solution.force);
-  return solution;
-}
-
 /// The determinant of the set, which takes another factor, decides for held bodies without cohesion only; what a warning rests on
 /// it tells for all.
 void prove_uniqueness(const ContactProblem& problem, ContactState& state) {
@@ -42,7 +27,11 @@ void prove_uniqueness(const ContactProblem& problem, ContactState& state) {
       problem.resultant.size() > 0 ? equilibrate(problem) : equilibrate_any(problem);
   if (!scaled.symmetric) return;
   const std::vector<ContactStatus> statuses = all_statuses(state);
-  ActiveSetSolution solution = solution_of(scaled, state);
+  ActiveSetSolution solution;
+  solution.force = all_forces(state).cwiseQuotient(scaled.scale);
+  solution.movement = all_movements(state).cwiseProduct(scaled.scale);
+  solution.force_rounding = static_cast<double>(scaled.free.size() + scaled.rigid.cols() + 1) *
+                            epsilon * largest(solution.force);
   const auto factor = [&] {
     solution.reversed = active_set_system(scaled, active_set(statuses, scaled.law)).reversed;
   };

@@ -5,6 +5,7 @@
 
 #include "addons/certified/proofs.hpp"
 #include "signorini/core/dense.hpp"
+#include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"
 
 namespace signorini {
@@ -16,7 +17,7 @@ using Eigen::VectorXd;
 
 /// 1 - mu |C_ii| / G_ii of pair k of the law; 1 of a body that floats: there G and C depend on what grounds it.
 double own_determinant(const ScaledProblem& problem, Index k) {
-  const Index pair = problem.law.pair[static_cast<std::size_t>(k)];
+  const Index pair = problem.law.pair[at(k)];
   const MatrixXd& rigid = problem.rigid;
   const bool floats = rigid.cols() > 0;
   if (floats && !(rigid.row(pair).isZero(0) && rigid.row(problem.pairs() + k).isZero(0))) return 1;
@@ -50,11 +51,10 @@ UniquenessWarning warning_of_set(const ScaledProblem& problem, const ActiveSet& 
 
 /// Whether mu |T| mu / 4 leaves nothing of a diagonal entry of G. \param least  |T| or less
 bool takes_all(const ScaledProblem& problem, double least) {
-  for (Index k = 0; k < problem.law.coefficient.size(); ++k) {
-    const Index pair = problem.law.pair[static_cast<std::size_t>(k)];
-    if (0.25 * least * std::pow(problem.law.coefficient(k), 2) > problem.compliance(pair, pair))
+  for (Index k = 0; k < problem.law.coefficient.size(); ++k)
+    if (const Index pair = problem.law.pair[at(k)];
+        0.25 * least * std::pow(problem.law.coefficient(k), 2) > problem.compliance(pair, pair))
       return true;
-  }
   return false;
 }
 
@@ -76,7 +76,7 @@ bool bound_excludes_others(const ScaledProblem& problem) {
     S.noalias() -= C * tangential.solve_columns(C.transpose());
     const double largest = symmetric_eigenvalues(T).maxCoeff();
     for (Index k = 0; k < slips && coupled; ++k) {
-      const Index pair = problem.law.pair[static_cast<std::size_t>(k)];
+      const Index pair = problem.law.pair[at(k)];
       S(pair, pair) -= 0.25 * largest * std::pow(problem.law.coefficient(k), 2);
     }
   }
@@ -113,15 +113,12 @@ bool is_another(const ScaledProblem& problem, const std::vector<ContactStatus>& 
 /// \param[in,out] sets  that may still be closed
 bool is_another_with(const ScaledProblem& problem, Index pair, std::vector<ContactStatus> statuses,
                      const ActiveSetSolution& solution, Index& sets) {
-  const ContactStatus kept = statuses[static_cast<std::size_t>(pair)];
+  const ContactStatus kept = statuses[at(pair)];
   for (Index last = problem.pairs() + 1; last > 0 && sets > 0; --sets) {
     const ActiveSetSolution now = solve_active_set(problem, statuses);
     if (is_another(problem, statuses, now, solution)) return true;
-    const std::vector<ContactStatus> before = statuses;
-    predict(problem, now, force_scale(problem), statuses);
-    statuses[static_cast<std::size_t>(pair)] = kept;
-    Index changes = 0;
-    for (std::size_t i = 0; i < statuses.size(); ++i) changes += statuses[i] != before[i] ? 1 : 0;
+    Index changes = predict(problem, now, force_scale(problem), statuses);
+    if (std::exchange(statuses[at(pair)], kept) != kept) --changes;
     if (changes >= last) return false;
     last = changes;
   }
@@ -135,7 +132,7 @@ bool found_another(const ScaledProblem& problem, const std::vector<ContactStatus
   std::vector<std::pair<double, Index>> doubtful;
   for (Index k = 0; k < problem.law.coefficient.size(); ++k)
     if (const double own = own_determinant(problem, k); own < 0)
-      doubtful.emplace_back(own, problem.law.pair[static_cast<std::size_t>(k)]);
+      doubtful.emplace_back(own, problem.law.pair[at(k)]);
   std::sort(doubtful.begin(), doubtful.end());
   const double most = work / std::pow(static_cast<double>(problem.free.size()), 3);
   Index sets = static_cast<Index>(std::clamp(most, 3.0, 1e6));
@@ -144,8 +141,7 @@ bool found_another(const ScaledProblem& problem, const std::vector<ContactStatus
          {ContactStatus::Open, ContactStatus::Stick, ContactStatus::SlipForward,
           ContactStatus::SlipBackward}) {
       std::vector<ContactStatus> others = statuses;
-      if (others[static_cast<std::size_t>(pair)] == contact_status) continue;
-      others[static_cast<std::size_t>(pair)] = contact_status;
+      if (std::exchange(others[at(pair)], contact_status) == contact_status) continue;
       if (is_another_with(problem, pair, std::move(others), solution, sets)) return true;
     }
   return false;
@@ -155,14 +151,13 @@ bool found_another(const ScaledProblem& problem, const std::vector<ContactStatus
 
 Uniqueness uniqueness(const ScaledProblem& problem, const std::vector<ContactStatus>& statuses,
                       const ActiveSetSolution& solution, double work) {
-  const FrictionLaw& law = problem.law;
   const bool floats = problem.rigid.cols() > 0;
-  const bool holds_together = !law.cohesion.isZero(0);
-  if (solution.reversed && !floats && !holds_together) return Uniqueness::Doubtful;
-  if (found_another(problem, statuses, solution, work)) return Uniqueness::Doubtful;
-  const bool frictional = !law.coefficient.isZero(0) || holds_together;
-  if (frictional && (floats || holds_together)) return Uniqueness::Unknown;
-  const bool only = bound_excludes_others(problem) && holds_modes(problem, solution);
+  const bool coheres = !problem.law.cohesion.isZero(0);
+  if ((solution.reversed && !floats && !coheres) ||
+      found_another(problem, statuses, solution, work))
+    return Uniqueness::Doubtful;
+  const bool excluded = coheres || (floats && !problem.law.coefficient.isZero(0));
+  const bool only = !excluded && bound_excludes_others(problem) && holds_modes(problem, solution);
   return only ? Uniqueness::Proved : Uniqueness::Unknown;
 }
 
@@ -173,7 +168,7 @@ UniquenessWarning uniqueness_warning(const ScaledProblem& problem,
   UniquenessWarning least;
   for (Index k = 0; k < problem.law.coefficient.size(); ++k)
     if (const double own = own_determinant(problem, k); own < least.determinant)
-      least = {problem.law.pair[static_cast<std::size_t>(k)], own};
+      least = {problem.law.pair[at(k)], own};
   return least;
 }
 

@@ -27,9 +27,7 @@ Carried carried(const QuadraticProgramme& programme, const PrimalDual& solution,
 Carried carried(const ContactProblem& problem, const ContactState& state) {
   const Index rows = problem.compliance.rows();
   const Index modes = problem.rigid.cols();
-  VectorXd force(rows), movement(rows);
-  force << state.force, state.friction;
-  movement << state.gap, state.slip;
+  const VectorXd force = all_forces(state);
   const VectorXd free = free_movement(problem);
   const VectorXd scale = row_scales(problem.compliance, problem.rigid, free);
   MatrixXd effect(rows + modes, rows);
@@ -44,7 +42,7 @@ Carried carried(const ContactProblem& problem, const ContactState& state) {
   return {effect.sparseView(),
           problem.law,
           force,
-          movement,
+          all_movements(state),
           static_cast<double>(rows + modes + 1) * epsilon * size,
           all_statuses(state)};
 }

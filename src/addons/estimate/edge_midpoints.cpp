@@ -7,12 +7,9 @@
 #include "signorini/fem/side_curve.hpp"
 
 namespace signorini {
-namespace {
 
 using Eigen::Index;
 using Eigen::Vector2d;
-
-}  // namespace
 
 EdgeMidpoints::EdgeMidpoints(const Mesh& mesh, const MeshEdges& edges, std::vector<char> halved)
     : mesh_(mesh),

@@ -5,6 +5,7 @@
 #include "addons/programme/programme_rows.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/core/triangular.hpp"
+#include "signorini/problem/corrections.hpp"
 #include "signorini/problem/exact_sum.hpp"
 #include "signorini/problem/exact_vector.hpp"
 
@@ -94,16 +95,11 @@ ProgrammeRows::Refined ProgrammeRows::refine(ActiveSetFactor& basis) {
     work.raw(i) = work.force(i) / work.norm(i);
   }
   refined.solution.displacement_low.setZero(unknowns());
-  double last = std::numeric_limits<double>::infinity();
-  while (true) {
+  for (Corrections corrections; corrections.foreseen > 0.25 * epsilon;) {
     correct(basis, refined, work);
-    // A sweep shrinks the error by about the relative error of the first solution: two such factors
-    // below rounding are enough.
-    const double change = std::max(ratio(largest(work.z), largest(refined.solution.displacement)),
-                                   ratio(largest(work.along), largest(work.force)));
-    const double next = change * (refined.sweeps == 1 ? change : std::min(1.0, change / last));
-    if (next <= 0.1 * epsilon || !(change < 0.5 * last)) break;
-    last = change;
+    if (!corrections.next(Corrections::size(work.z, refined.solution.displacement, work.along,
+                                            work.force)))
+      break;
   }
   displacement_ = refined.solution.displacement;
   basis.set_force(work.force);

@@ -9,19 +9,11 @@
 #include "signorini/core/family.hpp"
 
 namespace signorini {
-namespace {
 
-// Made when it is first asked for, which may be before main().
-std::vector<GapOperator>& family() {
-  static std::vector<GapOperator> members;
-  return members;
-}
+const std::vector<GapOperator>& gap_operators() { return open_family<GapOperator>(); }
 
-}  // namespace
-
-const std::vector<GapOperator>& gap_operators() { return family(); }
-
-void add_gap_operator(const GapOperator& member) { add_member(member, family()); }
+// A name is added once, whoever adds it.
+void add_gap_operator(const GapOperator& member) { add_member(member, open_family<GapOperator>()); }
 
 const GapOperator& find_gap_operator(const std::string& name) {
   return find_member(gap_operators(), name, "gap operator");

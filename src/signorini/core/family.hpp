@@ -21,6 +21,15 @@ template <typename Member>
   return names;
 }
 
+/// The one list of a family to which programs add members. It is made when it is first asked for: a global object might
+/// not exist yet when another file adds its members before `main`.
+/// \return it, empty to begin with
+template <typename Member>
+[[nodiscard]] std::vector<Member>& open_family() {
+  static std::vector<Member> members;
+  return members;
+}
+
 /// Adds a member, unless the family has one of that name.
 /// \param member  with a `name`
 /// \param family  of members, in the order in which they are listed and asked

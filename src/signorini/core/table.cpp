@@ -12,18 +12,9 @@
 #include <cstdlib>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/wording.hpp"
 
 namespace signorini {
-namespace {
-
-// Both kinds of text are cells with something between them.
-std::string joined(const std::vector<std::string>& cells, const char* separator) {
-  std::string line;
-  for (std::size_t k = 0; k < cells.size(); ++k) line += (k == 0 ? "" : separator) + cells[k];
-  return line;
-}
-
-}  // namespace
 
 // Ten digits are enough for a figure, and few enough that rounding in the last bits is not seen.
 std::string number(double value, const char* format) {

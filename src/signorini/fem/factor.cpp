@@ -40,20 +40,11 @@ Eigen::MatrixXd Factor::compliance(const Rows& A, Ledger& ledger) const {
   return compliance_(A, ledger);
 }
 
-namespace {
+// A program fills the family in its first lines. A table in the library would have to name the
+// add-ons, and whoever links the library would link all of them.
+const std::vector<Backend>& backends() { return open_family<Backend>(); }
 
-/// A program fills the family in its first lines. A table in the library would have to name the
-/// add-ons, and whoever links the library would link all of them.
-std::vector<Backend>& family() {
-  static std::vector<Backend> members;
-  return members;
-}
-
-}  // namespace
-
-const std::vector<Backend>& backends() { return family(); }
-
-void add_backend(const Backend& member) { add_member(member, family()); }
+void add_backend(const Backend& member) { add_member(member, open_family<Backend>()); }
 
 Backend default_backend() { return backends().empty() ? sparse_cholesky() : backends().front(); }
 

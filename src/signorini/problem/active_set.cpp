@@ -77,12 +77,37 @@ std::vector<ContactStatus> statuses_of(const std::vector<Index>& active, Index p
   return statuses;
 }
 
+// Friction forces at their bounds are computed from the normal forces of this very step, so that the law of friction holds to
+// the last bit of both parts.
+void impose(const ActiveSet& set, VectorXd& force, VectorXd& low) {
+  const VectorXd given = std::exchange(force, VectorXd::Zero(force.size()));
+  const VectorXd given_low = std::exchange(low, VectorXd::Zero(low.size()));
+  force(set.closed) = given(set.closed);
+  low(set.closed) = given_low(set.closed);
+  for (const SlidingPair& pair : set.sliding) {
+    ExactSum tau = pair.friction(force(pair.gap), low(pair.gap));
+    force(pair.slip) = tau.value();
+    tau.add(-force(pair.slip));
+    low(pair.slip) = tau.value();
+  }
+}
+
 // A state keeps statuses of frictional pairs only.
 std::vector<ContactStatus> all_statuses(const ContactState& state) {
   std::vector<ContactStatus> statuses = statuses_of(state.active, state.force.size());
   for (std::size_t k = 0; k < state.contact_status.size(); ++k)
     statuses[at(state.frictional_pairs[k])] = state.contact_status[k];
   return statuses;
+}
+
+// All rows stand in one vector where equations treat gaps and slips alike.
+VectorXd all_forces(const ContactState& state) {
+  return (VectorXd(state.force.size() + state.friction.size()) << state.force, state.friction)
+      .finished();
+}
+
+VectorXd all_movements(const ContactState& state) {
+  return (VectorXd(state.gap.size() + state.slip.size()) << state.gap, state.slip).finished();
 }
 
 std::vector<Index> closed_pairs(const std::vector<ContactStatus>& statuses) {

@@ -31,12 +31,9 @@
 #include "signorini/core/triangular.hpp"
 
 namespace signorini {
-namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-
-}  // namespace
 
 ActiveSetFactor::ActiveSetFactor(Index space, Index capacity)
     : L_(capacity, capacity), Q_(space, space > 0 ? capacity : 0), y_(capacity) {

@@ -20,12 +20,9 @@
 #include "signorini/problem/active_set_factor.hpp"
 
 namespace signorini {
-namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-
-}  // namespace
 
 // Dual methods ask two things before they close a pair: by how much the other forces fall, and how
 // far its gap opens, per unit of its force. In the example it is 0.5 and 0.75. If the gap does not

@@ -10,6 +10,10 @@
 // compliance (1 1; 1 1 + 1e-10) and free gaps (-1, -1) the first solve has about six right digits, and the
 // second has all of them.
 //
+// These are digits of the condensed problem, whose numbers are rounded themselves. They are enough to tell signs by,
+// and a method asks for many sets, so sweeps must be cheap. For the last set alone iterative_refinement() does the
+// same with K, p, A and g as they were posed.
+//
 // The result says how far it can be trusted: what rounding may have done to each force and movement. Signs are
 // read with these bounds, by predict().
 
@@ -42,13 +46,6 @@ bool has_slopes(const ActiveSet& set) {
   for (const SlidingPair& pair : set.sliding)
     if (pair.slope != 0) return true;
   return false;
-}
-
-// Puts every friction force that is at its bound there, on the side that its status tells. It is computed from
-// the normal force of this sweep, so that the law of friction holds to the last bit.
-void impose(const ActiveSet& set, VectorXd& force) {
-  for (const SlidingPair& pair : set.sliding)
-    force(pair.slip) = pair.friction(force(pair.gap)).value();
 }
 
 // The numbers to start from: no force that the set excludes. Where a system has several solutions, as with
@@ -169,7 +166,8 @@ ActiveSetSolution solve_active_set(const ScaledProblem& problem, const ActiveSet
   std::sort(now.rows.begin(), now.rows.end());
   now.reversed = system.reversed;
   begin(problem, support, start, now);
-  impose(set, now.force);
+  VectorXd low = VectorXd::Zero(now.force.size());  // of forces in one double
+  impose(set, now.force, low);
   const Index modes = problem.rigid.cols();
   const bool sparse = problem.sparse.size() > 0;
   const RowMovement moved(problem, rows, support);
@@ -181,7 +179,7 @@ ActiveSetSolution solve_active_set(const ScaledProblem& problem, const ActiveSet
     for (std::size_t r = 0; r < rows.size(); ++r)
       now.force(rows[r]) += change(static_cast<Index>(r));
     now.amplitude += turn;
-    impose(set, now.force);
+    impose(set, now.force, low);
     // The first sweep solves, two refine: forces much smaller than the largest need the second as well.
     if (step >= 2 && largest(change) <= 0.25 * epsilon * largest(now.force) &&
         largest(turn) <= 0.25 * epsilon * largest(now.amplitude))

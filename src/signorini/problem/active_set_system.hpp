@@ -45,6 +45,12 @@ struct ActiveSet {
 [[nodiscard]] ActiveSet active_set(const std::vector<ContactStatus>& statuses,
                                    const FrictionLaw& law);
 
+/// Makes forces those that a set allows: friction of sliding pairs is at its bound, on the side that the status tells, and rows
+/// that are not closed have none. Forces are sums of two parts.
+/// \param set         closed rows and sliding pairs
+/// \param[in,out] force, low  of all rows, rounded, and what rounding took away [force]
+void impose(const ActiveSet& set, Eigen::VectorXd& force, Eigen::VectorXd& low);
+
 /// \param active  closed pairs
 /// \param pairs   n_c
 /// \return `n_c` statuses: these stick, the others are open
@@ -54,6 +60,12 @@ struct ActiveSet {
 /// \param state  what a solver says
 /// \return `n_c` statuses
 [[nodiscard]] std::vector<ContactStatus> all_statuses(const ContactState& state);
+
+/// \param state  what a solver says \return forces of gaps, then friction forces `n_c + n_s` [force]
+[[nodiscard]] Eigen::VectorXd all_forces(const ContactState& state);
+
+/// \param state  what a solver says \return gaps, then slips `n_c + n_s` [length]
+[[nodiscard]] Eigen::VectorXd all_movements(const ContactState& state);
 
 /// \param statuses  `n_c`
 /// \return the pairs that are not open, in increasing order

@@ -32,7 +32,11 @@ double length_of(const RefinementData& data, const PrimalDual& solution) {
 
 // A part that shrinks, because motions cancel, keeps the rounding of what it was. That rounding is no motion and
 // would strain the bodies, so the motion nearest to it is taken.
-void add_rigid(PrimalDual& solution, const MatrixXd& null_vectors, const VectorXd& amplitude) {
+//
+// A body that forces out of balance took far away on its springs came back: K, whose entries are rounded, would
+// strain it by the way, once as rigid and once as not. What is left is rigid as far as a motion comes near to it.
+void add_rigid(PrimalDual& solution, const MatrixXd& null_vectors, const VectorXd& amplitude,
+               bool home) {
   const Index n = null_vectors.rows();
   if (solution.displacement_low.size() == 0) solution.displacement_low.setZero(n);
   if (solution.rigid.size() == 0) solution.rigid.setZero(n);
@@ -42,6 +46,8 @@ void add_rigid(PrimalDual& solution, const MatrixXd& null_vectors, const VectorX
   if (2 * largest(solution.rigid) < largest(last))
     solution.rigid = null_vectors * least_norm_solution(null_vectors, solution.rigid);
   add_displacement(solution, added);
+  if (home && largest(solution.rigid) > 2 * largest(solution.displacement))
+    solution.rigid = null_vectors * least_norm_solution(null_vectors, solution.displacement);
 }
 
 // K u does no work along rigid modes, but its entries are rounded. So what is left counts only beyond the

@@ -15,6 +15,7 @@
 
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
+#include "signorini/problem/active_set_system.hpp"
 #include "signorini/problem/certificate.hpp"
 #include "signorini/problem/exact_sum.hpp"
 #include "signorini/problem/exact_vector.hpp"
@@ -113,13 +114,6 @@ ClaimResiduals residuals_of(const ProblemBlocks& problem, const Claim& claim) {
   return left;
 }
 
-// Forces and friction forces are one vector in formulas, and two in a state.
-VectorXd stacked(const VectorXd& top, const VectorXd& bottom) {
-  VectorXd both(top.size() + bottom.size());
-  both << top, bottom;
-  return both;
-}
-
 }  // namespace
 
 // A comparison with NaN is false, and infinity over infinity is NaN. So such numbers are refused
@@ -154,7 +148,7 @@ Certificate certify(const ContactProblem& problem, const ContactState& state) {
   return certify(
       ProblemBlocks{problem.compliance, free_movement(problem), problem.law, problem.rigid,
                     problem.resultant},
-      Claim{stacked(state.force, state.friction), stacked(state.gap, state.slip), state.amplitude});
+      Claim{all_forces(state), all_movements(state), state.amplitude});
 }
 
 // The proof is y >= 0 with \f$ F^Ty = 0 \f$ (or at most 0, if F is not symmetric), \f$ R^Ty = 0 \f$

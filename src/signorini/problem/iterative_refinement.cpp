@@ -22,13 +22,10 @@
 #include "signorini/problem/iterative_refinement.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
-#include "signorini/core/dense.hpp"
 #include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"
-#include "signorini/problem/exact_sum.hpp"
 
 namespace signorini {
 namespace {
@@ -37,59 +34,24 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// A correction over what it corrected; all of it, if nothing is left.
-double relative(const VectorXd& change, const VectorXd& result) {
-  const double part = largest(change);
-  const double whole = largest(result);
-  return whole == 0 && part > 0 ? 1 : ratio(part, whole);
-}
-
-// On a slender body the last digit of a force moves the far end by many digits. So forces are sums of
-// two doubles: with 1000 N and a lever of 1e6 the second one is worth 1e-7 N m.
-struct Forces {
-  VectorXd high;
-  VectorXd low;
-};
-
-// The forces that a set allows. Friction follows the normal force in two doubles as well. All others are
-// exactly 0.
-Forces imposed(const ActiveSet& set, const Forces& force) {
-  Forces kept{VectorXd::Zero(force.high.size()), VectorXd::Zero(force.high.size())};
-  kept.high(set.closed) = force.high(set.closed);
-  kept.low(set.closed) = force.low(set.closed);
-  for (const SlidingPair& pair : set.sliding) {
-    ExactSum tau = pair.friction(kept.high(pair.gap), kept.low(pair.gap));
-    kept.high(pair.slip) = tau.value();
-    tau.add(-kept.high(pair.slip));
-    kept.low(pair.slip) = tau.value();
-  }
-  return kept;
-}
-
 // Sweeps whose rigid motion goes into the part of u that strains nothing. That part is rounded, and later
 // sweeps mend it; what they move is so small that it may as well strain the bodies.
 constexpr Index rigid_sweeps = 2;
 
-// So many corrections in a row may fail to shrink by half: one that is larger than the one before may come
-// between two that shrink, where the factor has hardly a digit.
-constexpr int most_slow = 3;
-
-// One refinement from beginning to end: what it takes, where it stands, and the steps in the order in which
-// they are made.
+// Where a refinement stands. On a slender body the last digit of a force moves the far end by many digits. So
+// forces are sums of two doubles, of which u has the first: with 1000 N and a lever of 1e6 the second one is
+// worth 1e-7 N m.
 struct Refinement {
   const RefinementData& data;
-  MatrixXd modes;  // orthonormal for contact: N times `inverse`
   ActiveSet set;
   ActiveSetSystem system;
-  Forces force;
+  MatrixXd modes;  // orthonormal for contact: N times `inverse`
   RefinedSolution result = {};
+  VectorXd low = {};
   Corrections corrections = {};
   Index sweeps = 0;
 
   VectorXd push(const VectorXd& load);
-  void begin();
-  bool felt(const VectorXd& pushed) const;
-  void move(const VectorXd& amplitude);
   bool sweep();
 };
 
@@ -101,111 +63,76 @@ VectorXd Refinement::push(const VectorXd& load) {
   return moved;
 }
 
-// u follows the forces that it does not belong to yet, and the springs that ground a body give it back. A u in
-// one double was never refined: all of it counts as a correction.
-void Refinement::begin() {
-  PrimalDual& u = result.solution;
-  const bool refined = u.displacement_low.size() > 0;
-  if (!refined) u.displacement_low.setZero(u.displacement.size());
-  const VectorXd pushed = force.high - u.force;
-  if (pushed.isZero(0)) return;
-  const VectorXd moved = push(-(data.programme.A.transpose() * pushed));
-  if (refined)
-    corrections.last = std::max(relative(moved, u.displacement), relative(pushed, force.high));
-}
-
-// A solve with K is the dearest part of a sweep. It is left out where forces change by rounding only, and move
-// nothing more than that: the last digit of a force may move the far end of a slender body.
-bool Refinement::felt(const VectorXd& pushed) const {
-  return relative(pushed, force.high) > 0.25 * epsilon ||
-         relative(data.condensed.compliance * pushed, result.solution.displacement) >
-             0.25 * epsilon;
-}
-
-// Adds a rigid motion to u.
-//
-// The first sweeps move bodies rigidly, and K is not applied to that part of u. A body that forces out of
-// balance took far away on its springs came back: K, whose entries are rounded, would strain it by the way,
-// once as rigid and once as not. What is left is rigid as far as a motion comes near to it.
-void Refinement::move(const VectorXd& amplitude) {
-  PrimalDual& u = result.solution;
-  result.amplitude += amplitude;
-  if (sweeps > rigid_sweeps) return add_displacement(u, data.null_vectors * amplitude);
-  add_rigid(u, data.null_vectors, amplitude);
-  if (sweeps == rigid_sweeps && largest(u.rigid) > 2 * largest(u.displacement))
-    u.rigid = data.null_vectors * least_norm_solution(data.null_vectors, u.displacement);
-}
-
 // One sweep, as above. The second part of the forces counts in r by a plain product, which is exact enough.
 // `scale` and `inverse` lead to the equilibrated problem, which the system is that of, and back.
 //
 // While bodies are moved rigidly the next r has what the forces push. From then on u follows at once, and the
-// end may be foreseen. Corrections that shrink no more have failed, unless they are rounding of as many
-// numbers as there are closed rows. \return whether another sweep is worth its solves
+// end may be foreseen. That second solve is left out where forces change by rounding only, and move nothing more
+// than that. \return whether another sweep is worth its solves
 bool Refinement::sweep() {
   PrimalDual& u = result.solution;
-  ++sweeps;
-  u.force = force.high;
-  VectorXd r = equilibrium_residual(data.programme, u) - data.programme.A.transpose() * force.low;
-  if (data.spread) r = data.spread(r, force.high + force.low, system.rows);
+  const auto& A = data.programme.A;
+  const bool floats = modes.cols() > 0;
+  const bool steady = !floats || ++sweeps > rigid_sweeps;
+  VectorXd r = equilibrium_residual(data.programme, u) - A.transpose() * low;
+  if (data.spread) r = data.spread(r, u.force + low, system.rows);
   VectorXd moved = push(r);
   const VectorXd scale = data.scaled.scale(system.rows);
   const VectorXd h = gaps(data.programme, u)(system.rows);
   const auto [closes, turn] = system.solve(-scale.cwiseProduct(h), -modes.transpose() * r);
-  const Forces last = force;
-  for (Index k = 0; k < closes.size(); ++k) {
-    const Index row = system.rows[at(k)];
-    add_to(force.high(row), force.low(row), scale(k) * closes(k));
-  }
-  force = imposed(set, force);
-  const VectorXd pushed = (force.high - last.high) + (force.low - last.low);
-  const bool floats = modes.cols() > 0;
-  const bool steady = !floats || sweeps > rigid_sweeps;
-  if (steady && felt(pushed)) moved += push(-(data.programme.A.transpose() * pushed));
+  const VectorXd last = u.force, last_low = low;
+  for (Index k = 0; k < closes.size(); ++k)
+    add_to(u.force(system.rows[at(k)]), low(system.rows[at(k)]), scale(k) * closes(k));
+  impose(set, u.force, low);
+  const VectorXd pushed = (u.force - last) + (low - last_low);
+  const auto felt = [](double part) { return part > 0.25 * epsilon; };
+  if (steady && (felt(relative(pushed, u.force)) ||
+                 felt(relative(data.condensed.compliance * pushed, u.displacement))))
+    moved += push(-(A.transpose() * pushed));
   if (floats) {
+    const VectorXd amplitude = data.scaled.inverse * turn;
+    result.amplitude += amplitude;
     moved += modes * turn;
-    move(data.scaled.inverse * turn);
+    if (steady) add_displacement(u, data.null_vectors * amplitude);
+    if (!steady) add_rigid(u, data.null_vectors, amplitude, sweeps == rigid_sweeps);
   }
-  const double e = std::max(relative(moved, u.displacement), relative(pushed, force.high));
-  const bool more = corrections.next(e);
-  result.settled = steady && (corrections.foreseen <= 0.25 * epsilon ||
-                              (!more && e <= epsilon * static_cast<double>(set.closed.size() + 1)));
+  const bool more =
+      corrections.next(Corrections::size(moved, u.displacement, pushed, u.force));
+  result.settled = steady && corrections.settled(set.closed.size());
   return more && !result.settled;
 }
 
 }  // namespace
 
-// The first correction may be much larger than what it corrects, where forces out of balance take a body
-// far away. Beside it the next one looks small and is not: so the rate takes no more than 1 for it.
-bool Corrections::next(double size) {
-  foreseen = std::min(1.0, size / std::min(1.0, last)) * size;
-  slow = size <= 0.5 * best ? 0 : slow + 1;
-  best = std::min(best, size);
-  last = size;
-  return std::isfinite(size) && slow < most_slow;
-}
-
-// A closed row that nothing can push on, a slip that supports prescribe, keeps no force.
+// A closed row that nothing can push on, a slip that supports prescribe, keeps no force. Before the first sweep u
+// follows the forces that it does not belong to yet, and the springs that ground a body give it back. A u in
+// one double was never refined: all of it counts as a correction.
 RefinedSolution iterative_refinement(const RefinementData& data, PrimalDual start,
                                      const VectorXd& force,
                                      const std::vector<ContactStatus>& statuses) {
-  const Index n = start.displacement.size();
-  const bool floats = data.null_vectors.cols() > 0;
   const auto& A = data.programme.A;
-  ActiveSet set = active_set(statuses, data.condensed.law);
   const auto empty = [&](Index row) { return A.row(row).norm() == 0; };
-  set.closed.erase(std::remove_if(set.closed.begin(), set.closed.end(), empty), set.closed.end());
-  const Forces first = imposed(set, {force, VectorXd::Zero(force.size())});
-  Refinement now{data, floats ? MatrixXd(data.null_vectors * data.scaled.inverse) : MatrixXd(n, 0),
-                 std::move(set),
-                 active_set_system(data.scaled, active_set(statuses, data.scaled.law)), first};
+  Refinement now{data, active_set(statuses, data.condensed.law),
+                 active_set_system(data.scaled, active_set(statuses, data.scaled.law)),
+                 MatrixXd(start.displacement.size(), 0)};
+  if (data.null_vectors.cols() > 0) now.modes = data.null_vectors * data.scaled.inverse;
+  std::vector<Index>& closed = now.set.closed;
+  closed.erase(std::remove_if(closed.begin(), closed.end(), empty), closed.end());
   RefinedSolution& result = now.result;
-  result.solution = std::move(start);
   result.amplitude.setZero(data.null_vectors.cols());
-  now.begin();
+  PrimalDual& u = result.solution = std::move(start);
+  const bool refined = u.displacement_low.size() > 0;
+  if (!refined) u.displacement_low.setZero(u.displacement.size());
+  const VectorXd last = std::exchange(u.force, force);
+  now.low.setZero(force.size());
+  impose(now.set, u.force, now.low);
+  const VectorXd pushed = u.force - last;
+  if (!pushed.isZero(0)) {
+    const VectorXd moved = now.push(-(A.transpose() * pushed));
+    if (refined) now.corrections.last = Corrections::size(moved, u.displacement, pushed, u.force);
+  }
   while (now.sweep()) continue;
-  result.solution.force = now.force.high;
-  result.movement = gaps(data.programme, result.solution);
+  result.movement = gaps(data.programme, u);
   result.system = std::make_shared<const ActiveSetSystem>(std::move(now.system));
   return std::move(result);
 }

@@ -2,11 +2,11 @@
 /// The last step of every exact method: the equations of a known set, from the original data.
 #pragma once
 #include <functional>
-#include <limits>
 #include <memory>
 
 #include "signorini/problem/active_set_system.hpp"
 #include "signorini/problem/certificate.hpp"
+#include "signorini/problem/corrections.hpp"
 
 namespace signorini {
 
@@ -15,8 +15,10 @@ namespace signorini {
 /// \param solution      whose displacement grows
 /// \param null_vectors  N `n x n_r`
 /// \param amplitude     a `n_r`
+/// \param home          whether bodies are where they belong: a rigid part that is larger than u, because forces out of balance
+///   took a body far away on its springs and back, becomes the motion nearest to u
 void add_rigid(PrimalDual& solution, const Eigen::MatrixXd& null_vectors,
-               const Eigen::VectorXd& amplitude);
+               const Eigen::VectorXd& amplitude, bool home = false);
 
 /// What iterative_refinement() and check_signs() take their equations from.
 struct RefinementData {
@@ -45,21 +47,6 @@ struct RefinedSolution {
   bool settled = false;  ///< whether corrections have become as small as rounding
 };
 
-/// When a sequence of corrections of the relative sizes e_0, e_1, ... ends.
-///
-/// Errors shrink by the relative error of what was factored, so the rate \f$ \rho_k = \min(1, e_k / \min(1, e_{k-1})) \f$ is
-/// about the same for all k, and the next correction will be about \f$ \rho_k e_k \f$. Sweeps end where that is no more
-/// than \f$ \epsilon/4 \f$, or where three in a row were not half as large as the smallest before them.
-struct Corrections {
-  double foreseen = std::numeric_limits<double>::infinity();  ///< \f$ \rho_k e_k \f$ [-]
-  double last = std::numeric_limits<double>::infinity();      ///< e_k [-]
-  double best = std::numeric_limits<double>::infinity();      ///< the smallest so far [-]
-  int slow = 0;  ///< so many in a row were not half of `best`
-
-  /// \param size  e_k, of the next correction \return whether it is finite and corrections still shrink
-  bool next(double size);
-};
-
 /// Refines \f$ K u + A^T f = p,\ A_W u = g_W \f$ for known statuses: rows W that do not move, friction forces at
 /// their bounds, no force anywhere else.
 ///
@@ -78,8 +65,7 @@ struct Corrections {
 ///
 /// With rigid modes K is singular, and `solve_stiffness` and `condensed` belong to the grounded K_g of
 /// add_rigid_modes(). Residuals are still those of K; the amplitudes take up what only a rigid
-/// motion feels of them, so that no spring takes part. A rigid part of u that has grown larger than u, because
-/// forces out of balance took a body far away on its springs and back, becomes the motion nearest to u.
+/// motion feels of them, so that no spring takes part.
 /// \param data     the problem
 /// \param start    u, and the forces that it belongs to: none, if u is still that without contact
 /// \param force    of all rows of A, to begin with; those that the statuses exclude are dropped [force]

@@ -9,20 +9,11 @@
 #include "signorini/core/family.hpp"
 
 namespace signorini {
-namespace {
 
-// The list is made when it is first asked for. A global object might not exist yet when
-// another file adds its members before `main`.
-std::vector<Check>& all_checks() {
-  static std::vector<Check> family;
-  return family;
-}
+// The order in which members are added is the order in which they are asked.
+const std::vector<Check>& checks() { return open_family<Check>(); }
 
-}  // namespace
-
-const std::vector<Check>& checks() { return all_checks(); }
-
-void add_check(const Check& member) { add_member(member, all_checks()); }
+void add_check(const Check& member) { add_member(member, open_family<Check>()); }
 
 // Notes come first: those of a solution that is withdrawn say what it would have been.
 void judge_solution(const Model& model, const Condensed& condensed, Solution& solution) {

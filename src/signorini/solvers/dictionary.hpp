@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "signorini/core/index.hpp"
 #include "signorini/problem/scaled.hpp"
 
 namespace signorini {
@@ -55,7 +56,6 @@ class Dictionary {
   void pivot(Eigen::Index row, Eigen::Index entering);
 
  private:
-  static std::size_t at(Eigen::Index i) { return static_cast<std::size_t>(i); }
   [[nodiscard]] double rounding() const;
   [[nodiscard]] bool is_basic(Eigen::Index variable) const;
   [[nodiscard]] double perturbation(Eigen::Index row, Eigen::Index j) const;

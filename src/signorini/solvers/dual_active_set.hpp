@@ -95,14 +95,6 @@ class DualActiveSet {
   bool any_stalled_ = false;
 };
 
-/// Solves a problem by this method and closes the last set exactly.
-/// \param problem  G positive semidefinite, and d
-/// \param limit    most iterations
-/// \param kind     how many pairs join at a time
-/// \return as quasi_active_set()
-/// \throws std::invalid_argument as check_problem()
-[[nodiscard]] ContactState grow_active_set(const ContactProblem& problem, Eigen::Index limit,
-                                           DualActiveSet::Step kind);
 
 /// \param basis      closed rows
 /// \param equations  so many of the first rows are not wanted

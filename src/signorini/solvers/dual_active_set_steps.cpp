@@ -27,12 +27,9 @@
 #include "signorini/solvers/dual_active_set.hpp"
 
 namespace signorini {
-namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-
-}  // namespace
 
 // Drops rows and their entries in the forces.
 void DualActiveSet::open_vanished(const std::vector<Index>& positions) {

@@ -25,6 +25,15 @@ struct Iterate {
   void solve(const ScaledProblem& problem, const ActiveSet& set, const ActiveSetSolution* start);
 };
 
+/// What statuses say is closed, the surest first. Of rows that repeat each other a system keeps the first.
+/// \param problem   scaled
+/// \param statuses  `n_c`
+/// \param doubt     `n_c` or more: the pair with the least is the surest; with friction they stay in order
+/// \return the set
+[[nodiscard]] ActiveSet surest_first(const ScaledProblem& problem,
+                                     const std::vector<ContactStatus>& statuses,
+                                     const Eigen::VectorXd& doubt);
+
 /// The point from which all methods start, and what it says of the pairs: no forces; with friction forces
 /// without friction, unless F has few entries, where these cost more than they are good for; for bodies with rigid
 /// modes the least forces that balance r, and the amplitudes of least gaps.

@@ -107,19 +107,6 @@ class Newton {
   double merit_ = 0;
 };
 
-// What statuses say is closed, the pairs whose force exceeds their gap most first. Of rows that
-// repeat each other the system keeps the first. That should be the pair of which the iterate is
-// most certain, and a force that is much larger than the gap is certain.
-ActiveSet clearest_first(const ScaledProblem& problem, const Iterate& iterate, double force_scale,
-                         const std::vector<ContactStatus>& statuses) {
-  ActiveSet set = active_set(statuses, problem.law);
-  if (!problem.law.pair.empty()) return set;
-  const VectorXd excess = force_scale * iterate.solution.force - iterate.solution.movement;
-  std::stable_sort(set.closed.begin(), set.closed.end(),
-                   [&](Index i, Index j) { return excess(i) > excess(j); });
-  return set;
-}
-
 // Opens closed pairs without a force, if that is a solution as well: a pair that only touches holds
 // nothing. One pair with d = 0 is solved by the force 0, whether it is called open or closed, and
 // Newton's method comes to such a pair from either side. Without this, rounding would decide how
@@ -137,14 +124,16 @@ void open_idle_pairs(const ScaledProblem& problem, Iterate& iterate) {
 // The exact end from the statuses of an iterate, or from those which that end asks for: of a pair
 // that touches without force, rounding decides the side. Two tries are made if F is symmetric: the
 // end of the first is itself a step of the primal-dual active set. More tries would make this that
-// method, which can cycle. If F is not symmetric one try is made.
+// method, which can cycle. If F is not symmetric one try is made. Of rows that repeat each other the one whose force
+// exceeds its gap most is closed: the iterate is most certain of it.
 bool ends(const ScaledProblem& problem, double force_scale, Iterate& iterate) {
   std::vector<ContactStatus> statuses = iterate.statuses;
   ActiveSetSolution start = iterate.solution;
   const bool frictional = !problem.law.pair.empty();
   if (!frictional) start.force.setZero();
   for (int trial = 0; trial < (problem.symmetric ? 2 : 1); ++trial) {
-    const ActiveSet set = clearest_first(problem, iterate, force_scale, statuses);
+    const ActiveSet set = surest_first(
+        problem, statuses, iterate.solution.movement - force_scale * iterate.solution.force);
     iterate.report.factorisations += set.closed.empty() ? 0 : 1;
     ActiveSetSolution end = solve_active_set(problem, set, &start);
     const std::vector<ContactStatus> closed =

@@ -48,21 +48,6 @@ namespace signorini {
 namespace {
 
 using Eigen::Index;
-using Eigen::VectorXd;
-
-// What statuses say is closed, the pairs that overlapped most first. Of rows that repeat each
-// other only one can be closed, and the system keeps the first one of the set. Two equal rows with
-// d = (-1, -2) show which one that should be: the second one, closed with the force 2, leaves the
-// first one the gap 1. The first one, closed with the force 1, would leave the second one an
-// overlap of 1. With friction the set has rows of slips too, which no overlap puts in order.
-ActiveSet deepest_first(const ScaledProblem& problem, const Iterate& iterate) {
-  ActiveSet set = active_set(iterate.statuses, problem.law);
-  if (!problem.law.pair.empty()) return set;
-  const VectorXd& movement = iterate.solution.movement;
-  std::stable_sort(set.closed.begin(), set.closed.end(),
-                   [&](Index i, Index j) { return movement(i) < movement(j); });
-  return set;
-}
 
 // Leaves the first difference between two lists alone. This is Murty's rule (1974). For a positive
 // definite G it comes to the solution after finitely many sets. It changes one pair at a time, so
@@ -93,6 +78,8 @@ Index most_exchanges(const ScaledProblem& problem) {
 // share of each of two equal rows. solve_active_set() then keeps the numbers of `start`. With
 // friction these are those of the set before; with rigid modes alone, those of the first iterate.
 //
+// Of rows that repeat each other the one that overlapped most is closed: it stands first in the set.
+//
 // If no pair changes, the set is only a claim. solves() confirms it with all conditions of contact.
 void primal_dual_iterations(const ScaledProblem& problem, Index limit, Iterate& iterate) {
   const bool frictional = !problem.law.pair.empty();
@@ -108,7 +95,7 @@ void primal_dual_iterations(const ScaledProblem& problem, Index limit, Iterate& 
       one_at_a_time = true;
       if (!plain) return;
     }
-    const ActiveSet set = deepest_first(problem, iterate);
+    const ActiveSet set = surest_first(problem, iterate.statuses, iterate.solution.movement);
     iterate.solve(problem, set, plain ? nullptr : &start);
     const ActiveSetSolution& now = iterate.solution;
     if (frictional) start = now;

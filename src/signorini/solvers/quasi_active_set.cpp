@@ -65,16 +65,21 @@ bool overlaps(const ActiveSetSolution& closed) {
   return (closed.movement.array() < -trusted * closed.movement_rounding.array()).any();
 }
 
-}  // namespace
-
 // Runs the method, then solves the system of its last set from the data. The updated factor has
 // collected rounding, so the exact solution may have pairs that pull or overlap. Pairs that pull
 // are released, and the method goes on. Sets that come back between the two are cut off after as
 // many rounds as there are pairs; the certificate then decides.
 //
 // A proof that does not hold is no proof. Its pair is passed over, and the method goes on as well.
-ContactState grow_active_set(const ContactProblem& problem, Index limit, DualActiveSet::Step kind) {
+//
+// A block may close many pairs, so few blocks are needed. A single step changes one pair, and ten
+// times as many are allowed.
+ContactState grow_active_set(const ContactProblem& problem, const SolverOptions& options,
+                             DualActiveSet::Step kind, const char* name) {
+  check_plain(problem, name);
   const ScaledProblem scaled = equilibrate(problem);
+  const Index own = (kind == DualActiveSet::Step::Block ? 10 : 100) * scaled.pairs() + 100;
+  const Index limit = options.iteration_limit > 0 ? options.iteration_limit : own;
   const VectorXd ones = VectorXd::Ones(scaled.free.size());
   const ConstraintRows rows = rows_of(scaled, ones);
   Report report;
@@ -107,20 +112,14 @@ ContactState grow_active_set(const ContactProblem& problem, Index limit, DualAct
                   std::move(report), std::move(proof));
 }
 
-// A block may close many pairs, so few blocks are needed. A single step changes one pair, and ten
-// times as many are allowed.
+}  // namespace
+
 ContactState quasi_active_set(const ContactProblem& problem, const SolverOptions& options) {
-  check_plain(problem, "quasi_active_set");
-  const Index limit =
-      options.iteration_limit > 0 ? options.iteration_limit : 10 * problem.free_gap.size() + 100;
-  return grow_active_set(problem, limit, DualActiveSet::Step::Block);
+  return grow_active_set(problem, options, DualActiveSet::Step::Block, "quasi_active_set");
 }
 
 ContactState goldfarb_idnani(const ContactProblem& problem, const SolverOptions& options) {
-  check_plain(problem, "goldfarb_idnani");
-  const Index limit =
-      options.iteration_limit > 0 ? options.iteration_limit : 100 * problem.free_gap.size() + 100;
-  return grow_active_set(problem, limit, DualActiveSet::Step::Single);
+  return grow_active_set(problem, options, DualActiveSet::Step::Single, "goldfarb_idnani");
 }
 
 // The dual energy belongs to a symmetric matrix. Without symmetry there is nothing that rises.

@@ -45,23 +45,22 @@ void refine(const RefinementData& data, const VectorXd& free_displacement, Ledge
             RefinedEnd& end) {
   const Ledger::Phase phase(ledger, "refinement");
   std::vector<ContactStatus> statuses = all_statuses(end.state);
-  VectorXd force(end.state.force.size() + end.state.friction.size());
-  force << end.state.force, end.state.friction;
+  VectorXd force = all_forces(end.state);
   RefinedSets sets{data,
                    ledger,
                    end,
-                   {free_displacement, {}, VectorXd::Zero(force.size())},
-                   VectorXd::Zero(data.null_vectors.cols())};
+                   {{free_displacement, {}, VectorXd::Zero(force.size())},
+                    VectorXd::Zero(data.null_vectors.cols())}};
   // A motion that the closed pairs leave open must begin where the claim has it.
-  if (sets.amplitude.size() > 0 && end.state.report.status == SolveStatus::Solved) {
-    sets.amplitude = end.state.amplitude;
-    add_rigid(sets.now, data.null_vectors, sets.amplitude);
+  if (data.null_vectors.cols() > 0 && end.state.report.status == SolveStatus::Solved) {
+    sets.here.amplitude = end.state.amplitude;
+    add_rigid(sets.here.now, data.null_vectors, sets.here.amplitude);
   }
   for (int change = 0; change <= most_changes; ++change) {
     const SignCheck signs = sets.refine(statuses, force);
-    if (signs.wrong == 0 || !sets.last.settled || end.certificate.holds()) break;
+    if (signs.wrong == 0 || !sets.here.last.settled || end.certificate.holds()) break;
     statuses = signs.statuses;
-    force = sets.now.force;
+    force = sets.here.now.force;
   }
   fill_state(data.condensed.law, sets.statuses, end.solution.force, sets.best.movement, end.state);
 }
@@ -110,6 +109,7 @@ bool usable(const ContactState& claim, Index pairs) {
 // worst figure, and a confirmed set replaces them in any case. An end that was never certified has
 // infinite figures, so that the first set that is refined is kept whatever its figures are.
 SignCheck RefinedSets::refine(const std::vector<ContactStatus>& of, const VectorXd& force) {
+  auto& [now, amplitude, last] = here;
   last = iterative_refinement(data, std::move(now), force, of);
   ledger.count("sets", 1);
   ledger.count("solves", last.solves);

@@ -35,12 +35,16 @@ struct RefinedEnd {
 
 /// Sets of closed pairs that are refined one after the other, each from where the one before ended. The best certificate counts.
 struct RefinedSets {
-  RefinementData data;  ///< the problem
-  Ledger& ledger;       ///< gets counts of sets and solves
-  RefinedEnd& end;      ///< gets solution, certificate and amplitude of the best set
-  PrimalDual now;       ///< where the last set ended; to begin with, u without contact and no force
-  Eigen::VectorXd amplitude;  ///< of the rigid motions that have gone into `now` `n_r`
-  RefinedSolution last = {};  ///< the last set; its solution has become `now`
+  /// Where the last set ended.
+  struct Place {
+    PrimalDual now;             ///< to begin with, u without contact and no force
+    Eigen::VectorXd amplitude;  ///< of the rigid motions that have gone into `now` `n_r`
+    RefinedSolution last = {};  ///< the set; its solution has become `now`
+  };
+  RefinementData data;        ///< the problem
+  Ledger& ledger;             ///< gets counts of sets and solves
+  RefinedEnd& end;            ///< gets solution, certificate and amplitude of the best set
+  Place here;                 ///< where they stand
   RefinedSolution best = {};  ///< movement and system of the best set
   std::vector<ContactStatus> statuses = {};  ///< `n_c` of the best set; empty before the first
   bool confirmed = false;                    ///< whether all signs of the best set are right
