@@ -64,6 +64,8 @@ void declare_solve(CLI::App& app, Request& request) {
   add("--plot", request.output.plot, "FILE",
       "deformed meshes and the pressure of each contact, with friction also its shear, as a "
       "picture .svg, .png or .pdf, by gnuplot; of load steps the last");
+  add("--probes", request.output.probes, "FILE",
+      "a table of what each [[probe]] of the scene reads; of load steps with a column time");
   add("--state", request.output.state, "FILE", "where load steps are, kept up to date");
   add("--from", request.from, "FILE",
       "goes on from what --state wrote, to the same numbers; files keep the steps up to there, and "

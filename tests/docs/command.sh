@@ -288,6 +288,17 @@ for begun in 'tail -n +2000 outputs/a.csv' 'sed /^1.5,/d outputs/a.csv' 'sed s/^
     expect 2 'outputs/d.csv: this file has not the 11 steps until time 2 after which --from goes on' solve "$path" --from outputs/c --csv outputs/d.csv
     holds 'a file of other steps stays' cmp kept outputs/d.csv
 done
+# What probes read goes on like the table of pairs.
+probes=$examples/probes.toml
+expect 0 "probe 'tip' in 'beam'" solve "$probes" --probes outputs/p.csv
+holds 'rows of all probes and steps' test "$(grep -c '^time,probe,x,' outputs/p.csv) $(grep -c ',floor,' outputs/p.csv) $(grep -c ',wall,' outputs/p.csv)" = '1 324 4'
+sed 's/^count = 4/count = 2\nuntil = 0.5/; s/press = 1/press = 0.5/' "$probes" > half.toml
+expect 0 'solved: 2 steps up to time 0.5' solve half.toml --probes outputs/q.csv --state outputs/q
+expect 0 'goes on from time 0.5, after 2 steps' solve "$probes" --from outputs/q --probes outputs/q.csv
+holds 'the same table of probes' cmp outputs/p.csv outputs/q.csv
+sed -i '/^0.25,/d' outputs/q.csv
+expect 2 'outputs/q.csv: this file has not the 2 steps' solve "$probes" --from outputs/q --probes outputs/q.csv
+expect 2 '^signorini: --probes: .*punch.toml has no probe: leave it out, or give the scene a \[\[probe\]\]' solve "$examples/punch.toml" --probes outputs/q.csv
 sed 's/pressure,force/force,pressure/' outputs/a.csv > outputs/d.csv
 expect 2 'outputs/d.csv: this file has not the 11 steps' solve "$path" --from outputs/c --csv outputs/d.csv
 expect 2 'outputs/c.pvd: this file has not the 11 steps' solve "$path" --from outputs/c --vtu outputs/c.vtu

@@ -136,6 +136,7 @@ std::string key_reference() {
   add_section(page, "Load steps: `[[history]]`", history_keys());
   page += "\n### Load steps: what may grow, as `{ value = ..., history = ... }`\n\n";
   add_table(page, growing_keys());
+  add_section(page, "Probe: `[[probe]]`", probe_keys());
   add_section(page, "Output: `[output]`", output_keys());
   return page;
 }

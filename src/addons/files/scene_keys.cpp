@@ -203,7 +203,8 @@ const Keys<Output>& output_keys() {
       key("vtu", &Output::vtu, "", "file of meshes and fields, for ParaView"),
       key("csv", &Output::csv, "", "file of the pressure table"),
       key("plot", &Output::plot, "", "picture of pressure and deformed meshes, .svg, .png or .pdf"),
-      key("state", &Output::state, "", "of load steps: where they are, for --from")};
+      key("state", &Output::state, "", "of load steps: where they are, for --from"),
+      key("probes", &Output::probes, "", "file of the table of what [[probe]] reads")};
   return keys;
 }
 
@@ -239,6 +240,8 @@ const Keys<SceneDraft>& scene_keys() {
       {{"moves", type_name<bool>(), "", written(Scene().moves),
         "whether pairs are those of bodies where they have moved to, in [[steps]]"},
        read_moves},
+      {{"probe", "table or list of them", "", "", "each a [[probe]], what is read, see probe"},
+       read_probes},
       {{"output", "table", "", "", "what is written, into the working folder, see output"},
        [](const Value& value, SceneDraft& draft) {
          read_members(value, output_keys(), draft.file.output);

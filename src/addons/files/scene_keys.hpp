@@ -55,6 +55,18 @@ struct LayerDraft : Material {
   std::vector<double> box = {};  ///< left, bottom, right, top; empty without
 };
 
+/// A probe while it is read.
+struct ProbeDraft {
+  std::string name = {};                      ///< of its own; empty: see read_probes()
+  std::string body = {};                      ///< name of its body; empty: the only one
+  std::optional<Eigen::Vector2d> at = {};     ///< a point
+  std::optional<Eigen::Vector2d> from = {};   ///< begin of a line
+  std::optional<Eigen::Vector2d> to = {};     ///< end of it
+  int points = 11;                            ///< on the line
+  std::string along = {};                     ///< a boundary
+  std::string of = {};                        ///< a boundary
+};
+
 /// \return keys of the head of the file, in the order in which they are read
 [[nodiscard]] const Keys<SceneDraft>& scene_keys();
 /// \return keys of a body, in the order in which they are read
@@ -80,6 +92,11 @@ void read_material(const Value& value, Material& material);
 [[nodiscard]] const std::vector<KeyInfo>& growing_keys();
 /// \return keys of friction, in the order in which they are read
 [[nodiscard]] const Keys<Friction>& friction_keys();
+/// \return keys of a probe, in the order in which they are read
+[[nodiscard]] const Keys<ProbeDraft>& probe_keys();
+/// Reads `[[probe]]`, after `[[body]]`. \param value  of the key \param draft  gets the probes
+/// \throws ProblemError for a place that is not in its body, or a name that another has
+void read_probes(const Value& value, SceneDraft& draft);
 /// \return keys of what is written, in the order in which they are read
 [[nodiscard]] const Keys<Output>& output_keys();
 
