@@ -20,7 +20,10 @@ double length_to(const SideCurve& side, double xi) {
 
 ArcLength::ArcLength(const Mesh& mesh, const std::string& boundary)
     : sides_(side_curves(mesh, boundary)) {
-  for (const SideCurve& side : sides_) before_.push_back(before_.back() + length_to(side, 1));
+  for (const SideCurve& side : sides_) {
+    before_.push_back(before_.back() + length_to(side, 1));
+    boxes_.push_back(side.box());
+  }
 }
 
 double ArcLength::at(std::size_t side, double xi) const {
@@ -31,11 +34,32 @@ double ArcLength::at(const Eigen::Vector2d& x) const {
   double least = std::numeric_limits<double>::infinity();
   double found = 0;
   for (std::size_t k = 0; k < sides_.size(); ++k) {
+    const auto way = (boxes_[k].col(0) - x).cwiseMax(x - boxes_[k].col(1)).cwiseMax(0);
+    if (!(way.norm() < least)) continue;
     const double xi = sides_[k].closest(x);
     const double apart = (sides_[k].point(xi) - AnchoredPoint(x)).norm();
     if (!(apart < least)) continue;
     least = apart;
     found = at(k, xi);
+  }
+  return found;
+}
+
+// Halves the side until numbers end: the length grows all along it.
+std::vector<double> ArcLength::places(const SideCurve& side,
+                                      const std::vector<double>& lengths) const {
+  const double before = at(side.point(0).position()) - length_to(side, 0);
+  const double whole = length_to(side, 1);
+  const double rounding = 1e-13 * (whole + before);
+  std::vector<double> found;
+  for (const double length : lengths) {
+    const double wanted = length - before;
+    if (!(wanted > rounding && wanted < whole - rounding)) continue;
+    double low = -1;
+    double high = 1;
+    for (double middle = 0; middle > low && middle < high; middle = (low + high) / 2)
+      (length_to(side, middle) < wanted ? low : high) = middle;
+    found.push_back(high);
   }
   return found;
 }

@@ -21,6 +21,12 @@ class ArcLength {
 
   /// \return the sides in walking order
   [[nodiscard]] const std::vector<SideCurve>& sides() const { return sides_; }
+  /// Where lengths are reached within a side.
+  /// \param side     any, also one of a finer mesh of the boundary
+  /// \param lengths  from the begin of the boundary [length]
+  /// \return xi in (-1, 1), without those of lengths that are reached at an end of the side or on another one
+  [[nodiscard]] std::vector<double> places(const SideCurve& side,
+                                           const std::vector<double>& lengths) const;
   /// \param side  number of a side \param xi  place on it [-] \return length from the begin of the boundary [length]
   [[nodiscard]] double at(std::size_t side, double xi) const;
   /// \param x  a point [length] \return length up to the closest place of the boundary; of several the first [length]
@@ -32,6 +38,7 @@ class ArcLength {
 
  private:
   std::vector<SideCurve> sides_;
+  std::vector<Eigen::Matrix2d> boxes_;
   std::vector<double> before_ = {0};  // one more than there are sides
 };
 

@@ -88,7 +88,7 @@ Resultant resultant(const Mesh& mesh, const EdgeLoad& load, const Depth& depth) 
     const Vector2d position = at.point.position();
     sum.add(at.point - first,
             at.weight * at.tangent.norm() * depth.part(position.x()) * load.traction(position));
-  });
+  }, load.rule);
   return sum;
 }
 

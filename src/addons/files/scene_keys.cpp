@@ -119,6 +119,24 @@ void read_target(const Value& value, ContactDraft& contact) {
     contact.target = side_of_several(value, *contact.bodies);
 }
 
+void read_interference(const Value& value, ContactDraft& contact) {
+  double& most = contact.interference.emplace();
+  const Value& own = without_history(value, contact.interference_history);
+  if (!varies(own)) return take(own, most, Bound::NotNegative);
+  const Side& source = contact.source;
+  const Mesh& mesh = std::find_if(contact.bodies->begin(), contact.bodies->end(),
+                                  [&](const Body& body) { return body.mesh.name == source.body; })
+                         ->mesh;
+  const Variation variation = read_variation(own, 1, mesh, source.boundary);
+  const NodeArray nodes = mesh.nodes(boundary_nodes(mesh, source.boundary), Eigen::all);
+  for (Eigen::Index k = 0; k < nodes.rows(); ++k)
+    if (const double there = variation.at(nodes.row(k).transpose())(0); there < 0)
+      own.fail("expected a length >= 0 all along the source, got ", there, " at ",
+               in_brackets(nodes.row(k)));
+  most = largest_size(variation, nodes);
+  contact.interference_share = field_of(variation, most);
+}
+
 void read_friction(const Value& value, ContactDraft& contact) {
   Friction& friction = contact.friction.emplace();
   take_or_table(value, friction_keys(), friction, &Friction::coefficient, Bound::NotNegative);
@@ -174,12 +192,9 @@ const Keys<ContactDraft>& contact_keys() {
       {{"friction", "number >= 0 or table", "", "",
         "coefficient of friction; as a table, see friction"},
        read_friction},
-      {{"interference", type_name<double>(Bound::NotNegative) + ", may grow", "length", "",
+      {{"interference", type_name<double>(Bound::NotNegative) + ", may vary and grow", "length", "",
         "by how much more the sides overlap than the meshes say: a press fit"},
-       [](const Value& value, ContactDraft& contact) {
-         take_growing(value, contact.interference.emplace(), contact.interference_history,
-                      Bound::NotNegative);
-       }},
+       read_interference},
       key("adjust", &ContactSpec::adjust, "length",
           "gaps and overlaps of the meshes up to this count as none", Bound::NotNegative),
       {{"operator", "text", "", written(ContactSpec().gap_operator),
