@@ -128,6 +128,7 @@ std::string command_on(const std::string& file, const Output& output) {
   std::string command = text("signorini solve ", file == standard_input ? "-" : file, " --from ",
                              output.state, " --state ", output.state);
   if (!output.vtu.empty()) command += " --vtu " + output.vtu;
+  if (output.ascii) command += " --ascii";
   if (!output.csv.empty()) command += " --csv " + output.csv;
   if (!output.probes.empty()) command += " --probes " + output.probes;
   if (!output.plot.empty()) command += " --plot " + output.plot;
@@ -208,7 +209,8 @@ void PathFiles::add(const Model& model, const Step& step) {
     if (!wanted_.vtu.empty()) {
       const std::string fields = numbered(wanted_.vtu, step.state.steps);
       fields_.push_back({step.state.time, fs::path(fields).filename().string()});
-      write_vtu(drafts_.begin(fields), model, step.solution, totals(&step.state));
+      write_vtu(drafts_.begin(fields), model, step.solution, totals(&step.state),
+                numbers_of(wanted_));
       write_pvd(drafts_.begin(collection(wanted_.vtu)), fields_);
     }
     table_.begin(drafts_);

@@ -177,12 +177,17 @@ std::vector<std::string> files_of(const Output& output) {
   return files;
 }
 
+VtuNumbers numbers_of(const Output& output) {
+  return output.ascii ? VtuNumbers::Ascii : VtuNumbers::Binary;
+}
+
 void write_outputs(const SceneRun& run, Drafts& drafts) {
   const Output& wanted = run.file.output;
   const Progress progress("writing files");
   const Uninterrupted whole;
   drafts.publish([&] {
-    if (!wanted.vtu.empty()) write_vtu(drafts.begin(wanted.vtu), *run.model, *run.solution);
+    if (!wanted.vtu.empty()) 
+      write_vtu(drafts.begin(wanted.vtu), *run.model, *run.solution, {}, numbers_of(wanted));
     if (!wanted.csv.empty())
       write_file(drafts.begin(wanted.csv), pressure_csv(*run.model, *run.solution));
     if (!wanted.probes.empty()) write_file(drafts.begin(wanted.probes), probes_csv(run.file.probes, *run.model, *run.solution, nullptr));

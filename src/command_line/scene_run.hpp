@@ -13,6 +13,7 @@
 #include "addons/prediction/prediction.hpp"
 #include "addons/steps/steps.hpp"
 #include "command_line/drafts.hpp"
+#include "signorini/report/vtu.hpp"
 #include "signorini/scene/notes.hpp"
 
 namespace command_line {
@@ -120,6 +121,9 @@ void solve_scene(SceneRun& run, const signorini::StepObserver& observe = {});
 
 /// \param output  what is asked for \return the names of its files
 std::vector<std::string> files_of(const signorini::Output& output);
+
+/// \param output  what is asked for \return how numbers of its VTU files are written
+signorini::VtuNumbers numbers_of(const signorini::Output& output);
 
 /// Writes what the scene file and the command line ask for.
 /// \param run     that is solved

@@ -389,7 +389,7 @@ expect 0 'punch.bottom on block.top: force on the source \(-150, 1000\), .* norm
 expect 0 '21 of 21 pairs are closed: 19 stick, 2 slide' solve "$examples/punch.toml"
 expect 0 ' 5 +0 +372\.811 +93\.2026 +-149\.124 +-37\.2811 +0\.000908812 +forward +0\.0338815' solve "$examples/punch.toml"
 expect 0 'contact beam.bottom on half plane: force on the source' solve "$cantilever"
-expect 0 'all contacts: force on the sources \(2, 20\)' solve two_contacts.toml --csv outputs/two.csv --vtu outputs/two.vtu
+expect 0 'all contacts: force on the sources \(2, 20\)' solve two_contacts.toml --csv outputs/two.csv --vtu outputs/two.vtu --ascii
 header() { # file: the names of its columns
     grep -v '^#' "$1" | head -n 1
 }
@@ -400,7 +400,7 @@ holds 'rows of one without' test "$(grep -Ec ',0,0,[-+0-9.e]+,,0,block.left on h
 for name in $(printf '%s' "$old,$new,time,slip_total,dissipated_total,contact" | tr , ' ') $(grep -o 'contact_[a-z_]*' outputs/two.vtu | sort -u); do
     holds "no $name in the README of the examples" grep -Fq "\`$name\`" "$examples/README.md"
 done
-expect 0 solved solve "$cantilever" --csv outputs/one.csv --vtu outputs/one.vtu
+expect 0 solved solve "$cantilever" --csv outputs/one.csv --vtu outputs/one.vtu --ascii
 holds 'columns without friction' test "$(header outputs/one.csv)" = "$old,slip"
 holds 'fields without friction' test "$(grep -Ec 'contact_(shear|motion|number)' outputs/one.vtu)" = 0
 holds 'slip without friction' test "$(grep -c 'contact_slip' outputs/one.vtu)" = 1

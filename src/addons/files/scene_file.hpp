@@ -20,6 +20,7 @@ struct Output {
   std::string plot;   ///< a picture of pressure and deformed meshes
   std::string state;  ///< of the last load step
   std::string probes;  ///< the table of what probes read
+  bool ascii = false;  ///< whether numbers of VTU files are text, see VtuNumbers
 };
 
 /// A scene as a file tells it.

@@ -216,6 +216,7 @@ const Keys<ContactDraft>& contact_keys() {
 const Keys<Output>& output_keys() {
   static const Keys<Output> keys = {
       key("vtu", &Output::vtu, "", "file of meshes and fields, for ParaView"),
+      key("ascii", &Output::ascii, "", "whether its numbers are text, in the place of their bytes"),
       key("csv", &Output::csv, "", "file of the pressure table"),
       key("plot", &Output::plot, "", "picture of pressure and deformed meshes, .svg, .png or .pdf"),
       key("state", &Output::state, "", "of load steps: where they are, for --from"),
