@@ -53,7 +53,7 @@ void declare_files(CLI::App& solve, signorini::Output& output) {
       "meshes and fields, for ParaView, with pressure, traction and status of contact; of load "
       "steps a file each, and a .pvd of all");
   solve.add_flag("--ascii", output.ascii,
-                  "numbers of VTU files as text, with 17 digits, in the place of their bytes");
+                 "numbers of VTU files as text, with 17 digits, in the place of their bytes");
   add("--csv", output.csv, "FILE",
       "a table of all pairs: place, gap, pressure, force, status; with friction shear, slip, "
       "motion and dissipated work; with several contacts their names; of load steps with a column "

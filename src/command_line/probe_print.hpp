@@ -8,7 +8,14 @@
 
 namespace command_line {
 
-/// Prints a table for each probe; nothing without probes.
+/// Keeps what the probes read in a load step, as long as it may be printed.
+/// \param run    that gets it
+/// \param model  as loaded in the step
+/// \param step   that was solved
+void keep_probes(SceneRun& run, const signorini::Model& model, const signorini::Step& step);
+
+/// Prints a table for each probe; nothing without probes. A probe that reads one row has one for each load step, if they are few,
+/// all others one of the last step.
 /// \param out  where to
 /// \param run  that has a solution
 void print_probes(std::ostream& out, const SceneRun& run);

@@ -60,6 +60,7 @@ void follow(SceneRun& run, Ledger ledger, const StepObserver& observe, const Pro
   const auto each = [&](const Model& at, const Step& step) {
     run.solution = step.solution;
     run.ledgers.push_back(step.solution.ledger);
+    keep_probes(run, at, step);
     progress.say("");
     observe(at, step);
     const std::chrono::duration<double> gone = std::chrono::steady_clock::now() - begin;
@@ -186,11 +187,13 @@ void write_outputs(const SceneRun& run, Drafts& drafts) {
   const Progress progress("writing files");
   const Uninterrupted whole;
   drafts.publish([&] {
-    if (!wanted.vtu.empty()) 
+    if (!wanted.vtu.empty())
       write_vtu(drafts.begin(wanted.vtu), *run.model, *run.solution, {}, numbers_of(wanted));
     if (!wanted.csv.empty())
       write_file(drafts.begin(wanted.csv), pressure_csv(*run.model, *run.solution));
-    if (!wanted.probes.empty()) write_file(drafts.begin(wanted.probes), probes_csv(run.file.probes, *run.model, *run.solution, nullptr));
+    if (!wanted.probes.empty())
+      write_file(drafts.begin(wanted.probes),
+                 probes_csv(run.file.probes, *run.model, *run.solution, nullptr));
     if (!wanted.plot.empty()) draw(drafts.begin(wanted.plot), picture_kind(wanted.plot), run);
   });
   keeps("all files were written");

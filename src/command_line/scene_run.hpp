@@ -13,6 +13,7 @@
 #include "addons/prediction/prediction.hpp"
 #include "addons/steps/steps.hpp"
 #include "command_line/drafts.hpp"
+#include "signorini/report/pair_columns.hpp"
 #include "signorini/report/vtu.hpp"
 #include "signorini/scene/notes.hpp"
 
@@ -65,6 +66,12 @@ auto read_or_hint(const std::string& file, const std::string& content, const cha
   }
 }
 
+/// What probes read in a load step.
+struct ProbedStep {
+  double time;                                                ///< when it ended
+  std::vector<std::vector<signorini::PairColumn>> of_probes;  ///< of each, see signorini::probed()
+};
+
 /// What was made of a scene file, as far as it came.
 struct SceneRun {
   signorini::SceneFile file;  ///< as it was read, with what the command line changes
@@ -77,6 +84,8 @@ struct SceneRun {
       solution;  ///< after solve_scene(); of load steps, of the last good one
   std::optional<signorini::PathEnd> end;        ///< of load steps, after solve_scene()
   std::vector<signorini::Ledger> ledgers = {};  ///< of the solution, or of all load steps
+  /// Of load steps with probes: the first steps, one more than are printed.
+  std::vector<ProbedStep> probed_steps = {};
   /// Of load steps: what every process did, empty if the back end works alone.
   signorini::Ledger processes = {};
 

@@ -81,9 +81,8 @@ bool StepTable::keep(const PathState& from, std::optional<Index> rows) {
   const std::string content = content_if_any(file_);
   if (content.empty()) return false;
   TableUntil kept = table_until(from.time, content);
-  check_begun(kept.steps == from.steps && (!rows || kept.rows == *rows) &&
-                                kept.time == from.time,
-                            file_, from);
+  check_begun(kept.steps == from.steps && (!rows || kept.rows == *rows) && kept.time == from.time,
+              file_, from);
   from_ = from;
   head_ = std::move(kept.head);
   lines_ = std::move(kept.lines);

@@ -105,19 +105,21 @@ TEST_CASE("forces and moments of boundaries are those of equilibrium", "[probes]
   CHECK(column(columns[1], "spring_moment")(0) == Approx((5 - stress) / 2).epsilon(1e-12));
   CHECK(column(columns[1], "displacement_x")(0) == Approx(4 * stress / 1000).epsilon(1e-12));
   CHECK(column(columns[2], "displacement_x")(0) == Approx(1.3 * stress / 1000).epsilon(1e-12));
-  CHECK(column(columns[2], "displacement_y")(0) == Approx(-0.25 * 0.2 * stress / 1000).epsilon(1e-12));
+  CHECK(column(columns[2], "displacement_y")(0) ==
+        Approx(-0.25 * 0.2 * stress / 1000).epsilon(1e-12));
   CHECK(column(columns[2], "von_mises")(0) == Approx(stress).epsilon(1e-12));
   CHECK(column(columns[2], "distance").size() == 0);
 }
 
 // Closed form: a block that is pressed by 3 rests with 3 on a floor that does not rub.
 TEST_CASE("contact is read on the source and nowhere else", "[probes][contact]") {
-  const auto columns = read(block +
-                            "symmetric = \"left\"\npressure = { top = 3 }\n"
-                            "[[contact]]\nsource = \"bottom\"\n"
-                            "target = { kind = \"half_plane\", point = [0, -0.01], normal = [0, 1] }\n"
-                            "[[probe]]\nalong = \"bottom\"\n[[probe]]\nfrom = [0.3, 0]\nto = [0.3, 1]\n"
-                            "points = 3\n[[probe]]\nof = \"bottom\"\n");
+  const auto columns =
+      read(block +
+           "symmetric = \"left\"\npressure = { top = 3 }\n"
+           "[[contact]]\nsource = \"bottom\"\n"
+           "target = { kind = \"half_plane\", point = [0, -0.01], normal = [0, 1] }\n"
+           "[[probe]]\nalong = \"bottom\"\n[[probe]]\nfrom = [0.3, 0]\nto = [0.3, 1]\n"
+           "points = 3\n[[probe]]\nof = \"bottom\"\n");
   const Eigen::VectorXd pressure = column(columns[0], "contact_pressure");
   REQUIRE(pressure.size() == 5);
   for (Index k = 0; k < 5; ++k) {
@@ -161,21 +163,23 @@ TEST_CASE("the length of a curved side is that of its parabola", "[probes][close
   CHECK(length.at(Vector2d(0.5, 0.25)) == Approx(half).epsilon(1e-12));
 }
 
-TEST_CASE("a probe that says nothing, too much or a place that is not there is refused", "[probes]") {
+TEST_CASE("a probe that says nothing, too much or a place that is not there is refused",
+          "[probes]") {
   const auto told = [](const std::string& probe) {
-    return problem_message([&] {
-      static_cast<void>(parse_scene(block + "fixed = \"left\"\n" + probe, "name", "."));
-    });
+    return problem_message(
+        [&] { static_cast<void>(parse_scene(block + "fixed = \"left\"\n" + probe, "name", ".")); });
   };
-  CHECK_THAT(told("[[probe]]\nat = [4.1, 1]\n"),
-             ContainsSubstring("name:6: probe: the point (4.1, 1) is not in 'block': give one within its "
-                               "mesh, such as the nearest node (4, 1)"));
+  CHECK_THAT(
+      told("[[probe]]\nat = [4.1, 1]\n"),
+      ContainsSubstring("name:6: probe: the point (4.1, 1) is not in 'block': give one within its "
+                        "mesh, such as the nearest node (4, 1)"));
   CHECK_THAT(told("[[probe]]\nat = [40, 1]\n"), ContainsSubstring("is not in 'block'"));
   CHECK_THAT(told("[[probe]]\nname = \"a\"\n"), ContainsSubstring("expected one place, got 0"));
   CHECK_THAT(told("[[probe]]\nat = [1, 1]\nof = \"left\"\n"),
              ContainsSubstring("expected one place, got 2"));
   CHECK_THAT(told("[[probe]]\nfrom = [1, 1]\n"), ContainsSubstring("needs both from and to"));
-  CHECK_THAT(told("[[probe]]\nat = [1, 1]\npoints = 3\n"), ContainsSubstring("no meaning but for a line"));
+  CHECK_THAT(told("[[probe]]\nat = [1, 1]\npoints = 3\n"),
+             ContainsSubstring("no meaning but for a line"));
   CHECK_THAT(told("[[probe]]\nfrom = [0, 0]\nto = [1, 1]\npoints = 1\n"),
              ContainsSubstring("a line has 2 points or more, got 1"));
   CHECK_THAT(told("[[probe]]\nalong = \"botom\"\n"), ContainsSubstring("botom"));

@@ -143,7 +143,8 @@ TEST_CASE("profiles come from a scene or from a file of points", "[profiles][sce
     const std::string text =
         "[[body]]\nmesh = { kind = \"block\", size = [2, 1], cells = [2, 1], corner = [0, 1] }\n"
         "material = { youngs_modulus = 1, poisson_ratio = 0.3 }\nfixed = \"top\"\n"
-        "[[contact]]\nsource = \"bottom\"\ntarget = { " + keys + " }\n";
+        "[[contact]]\nsource = \"bottom\"\ntarget = { " +
+        keys + " }\n";
     const Scene scene = parse_scene(text, "name", folder.path()).scene;
     return std::get<Obstacle>(scene.contacts[0].target);
   };
@@ -151,20 +152,24 @@ TEST_CASE("profiles come from a scene or from a file of points", "[profiles][sce
     return problem_message([&] { static_cast<void>(target(keys)); });
   };
   const Obstacle filed = target("kind = \"polyline\", file = \"floor.csv\", move = [0, 0.25]");
-  const Obstacle listed = target("kind = \"polyline\", points = [[-1, 0.25], [1, 0.75], [3, 0.75]]");
+  const Obstacle listed =
+      target("kind = \"polyline\", points = [[-1, 0.25], [1, 0.75], [3, 0.75]]");
   CHECK(filed.name == "polyline");
   CHECK(filed.look({2, 1}).gap == Approx(0.25).epsilon(1e-15));
   CHECK(filed.look({0.3, 1}).gap == listed.look({0.3, 1}).gap);
   CHECK(target("kind = \"spline\", file = \"floor.csv\"").name == "spline");
-  CHECK_THAT(told("kind = \"polyline\""), ContainsSubstring("expected either points or file, got neither"));
+  CHECK_THAT(told("kind = \"polyline\""),
+             ContainsSubstring("expected either points or file, got neither"));
   CHECK_THAT(told("kind = \"polyline\", points = [[0, 0], [1, 0]], file = \"floor.csv\""),
              ContainsSubstring("got both"));
-  CHECK_THAT(told("kind = \"polyline\", points = [[0, 0]]"), ContainsSubstring("needs two points or more, got 1"));
+  CHECK_THAT(told("kind = \"polyline\", points = [[0, 0]]"),
+             ContainsSubstring("needs two points or more, got 1"));
   CHECK_THAT(told("kind = \"spline\", points = [[0, 0], [0, 0], [1, 0]]"),
              ContainsSubstring("the points 1 and 2 are the same, (0, 0): leave one of them out"));
   CHECK_THAT(told("kind = \"spline\", points = [[0, 0], [1, 1], [0, 2], [0, 0]]"),
              ContainsSubstring("leave out the last point, or take a polyline"));
   CHECK_THAT(told("kind = \"polyline\", file = \"flor.csv\""), ContainsSubstring("flor.csv"));
   std::ofstream(folder.path() / "bad.csv") << "1 2\n1 two\n";
-  CHECK_THAT(told("kind = \"polyline\", file = \"bad.csv\""), ContainsSubstring("bad.csv:2: y: expected a finite number, got 'two'"));
+  CHECK_THAT(told("kind = \"polyline\", file = \"bad.csv\""),
+             ContainsSubstring("bad.csv:2: y: expected a finite number, got 'two'"));
 }

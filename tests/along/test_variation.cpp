@@ -21,7 +21,8 @@ namespace {
 std::string block(const std::string& more = "", const std::string& state = "plane strain") {
   return "material = { youngs_modulus = 1000, poisson_ratio = 0.25, expansion = 1e-3, state = \"" +
          state + "\" }\n[[body]]\nname = \"block\"\n" +
-         "mesh = { kind = \"block\", size = [4, 1], cells = [3, 2], grading = [2, 1]" + more + " }\n";
+         "mesh = { kind = \"block\", size = [4, 1], cells = [3, 2], grading = [2, 1]" + more +
+         " }\n";
 }
 
 /// What the loads of the body of a text add up to: force, and moment about the origin.
@@ -32,8 +33,9 @@ Eigen::Vector3d sum_of(const std::string& text) {
   const NodeArray force = nodal_loads(body.mesh, body.element, body.material, body.loads);
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (Index k = 0; k < force.rows(); ++k)
-    sum += Eigen::Vector3d(force(k, 0), force(k, 1),
-                           body.mesh.nodes(k, 0) * force(k, 1) - body.mesh.nodes(k, 1) * force(k, 0));
+    sum +=
+        Eigen::Vector3d(force(k, 0), force(k, 1),
+                        body.mesh.nodes(k, 0) * force(k, 1) - body.mesh.nodes(k, 1) * force(k, 0));
   return sum;
 }
 
@@ -50,7 +52,8 @@ std::string kind_of_cells() {
 }  // namespace
 
 // Closed form: the integrals of x^i and x^(i+1) over the top, from 0 to 4; a pressure pushes down.
-TEST_CASE("a polynomial of any degree has its resultant and its moment", "[variation][closed-form]") {
+TEST_CASE("a polynomial of any degree has its resultant and its moment",
+          "[variation][closed-form]") {
   const std::string cells = kind_of_cells();
   const int degree = GENERATE(0, 1, 2, 3, 7, 12);
   CAPTURE(cells, degree);
@@ -60,8 +63,8 @@ TEST_CASE("a polynomial of any degree has its resultant and its moment", "[varia
   check_sum(sum_of(block(cells) + text("pressure = { top = { polynomial = [[", shortest(c), ", ",
                                        degree, ", 0]] } }\n")),
             {0, -force, -moment}, 16);
-  check_sum(sum_of(block(cells) + text("traction = { top = { polynomial = [[", shortest(3 * c), ", ",
-                                       shortest(-c), ", ", degree, ", 0]] } }\n")),
+  check_sum(sum_of(block(cells) + text("traction = { top = { polynomial = [[", shortest(3 * c),
+                                       ", ", shortest(-c), ", ", degree, ", 0]] } }\n")),
             {3 * force, -force, -moment - 3 * force}, 16);
 }
 
@@ -92,9 +95,9 @@ TEST_CASE("kinks and jumps of a table within sides are integrated piece by piece
 TEST_CASE("the length of a boundary turns with it", "[variation][closed-form]") {
   const double c = std::cos(std::acos(-1.0) / 6);
   const double s = std::sin(std::acos(-1.0) / 6);
-  const Eigen::Vector3d sum =
-      sum_of(block(", turn = 30") +
-             "pressure = { bottom = { over = \"length\", table = [[0.7, 0], [1.3, 2], [3.1, 0]] } }\n");
+  const Eigen::Vector3d sum = sum_of(
+      block(", turn = 30") +
+      "pressure = { bottom = { over = \"length\", table = [[0.7, 0], [1.3, 2], [3.1, 0]] } }\n");
   check_sum(sum, {-2.4 * s, 2.4 * c, 2.4 * (0.7 + 1.3 + 3.1) / 3}, 16);
 }
 
@@ -135,9 +138,11 @@ TEST_CASE("displacements that are given may vary, and grow", "[variation][closed
                   " = { x = { polynomial = [[1e-3, 1, 1]] }, y = { polynomial = [[-5e-4, 2, 0]] }, "
                   "history = \"bend\" }");
   const std::string body =
-      "[[body]]\nmaterial = { youngs_modulus = 1000, poisson_ratio = 0, state = \"plane stress\" }\n"
+      "[[body]]\nmaterial = { youngs_modulus = 1000, poisson_ratio = 0, state = \"plane stress\" "
+      "}\n"
       "mesh = { kind = \"block\", size = [4, 1], cells = [3, 2], quadratic = true }\n"
-      "prescribed = { " + given + " }\n[[steps]]\nvalues = { bend = 2 }\n";
+      "prescribed = { " +
+      given + " }\n[[steps]]\nvalues = { bend = 2 }\n";
   const SceneFile file = parse_scene(body, "name", ".");
   const PathEnd end = solve_steps(file.scene, [](const Model& model, const Step& step) {
     const NodeArray& x = model.bodies[0].mesh.nodes;
@@ -152,9 +157,8 @@ TEST_CASE("displacements that are given may vary, and grow", "[variation][closed
 
 // Closed form: a free body that is warmer by y bends without stress: u_x = a x y, u_y = a (y^2 - x^2) / 2 in plane stress.
 TEST_CASE("a temperature may vary as a table and as a polynomial", "[variation][closed-form]") {
-  const std::string form =
-      GENERATE(as<std::string>(), "{ over = \"y\", table = [[0, 0], [1, 1]] }",
-               "{ polynomial = [[1, 0, 1]] }");
+  const std::string form = GENERATE(as<std::string>(), "{ over = \"y\", table = [[0, 0], [1, 1]] }",
+                                    "{ polynomial = [[1, 0, 1]] }");
   const Scene scene =
       parse_scene(block(", quadratic = true", "plane stress") + "symmetric = \"left\"\n" +
                       "point = { at = [0, 0], y = 0 }\ntemperature = { varying = " + form + " }\n",
@@ -169,6 +173,27 @@ TEST_CASE("a temperature may vary as a table and as a polynomial", "[variation][
   }
 }
 
+// Closed form: half of the hat above at half of the way, and of a traction the same along both axes.
+TEST_CASE("a load that varies grows with its history", "[variation][closed-form]") {
+  Ledger ledger;
+  Model model = build(
+      parse_scene(
+          block() +
+              "fixed = \"left\"\npressure = { top = { value = { over = \"x\", table = [[0.7, 0], "
+              "[1.3, 2], [3.1, 0]] }, history = \"rise\" } }\n"
+              "traction = { bottom = { value = { over = \"x\", table = [[0.9, 0, 0], "
+              "[0.9, 1, 3], [2.9, 1, 3], [2.9, 0, 0]] }, history = \"rise\" } }\n"
+              "[[steps]]\nvalues = { rise = 1 }\n",
+          "name", ".")
+          .scene,
+      ledger);
+  set_time(0.5, model);
+  const BodyModel& body = model.bodies[0];
+  const NodeArray force = nodal_loads(body.mesh, body.element, body.material, body.loads);
+  CHECK(force.col(0).sum() == Approx(1).epsilon(1e-14));
+  CHECK(force.col(1).sum() == Approx(3 - 1.2).epsilon(1e-14));
+}
+
 TEST_CASE("an interference may vary, in one go and in load steps", "[variation]") {
   const std::string contact =
       "fixed = \"top\"\n[[contact]]\nsource = \"bottom\"\n"
@@ -177,11 +202,12 @@ TEST_CASE("an interference may vary, in one go and in load steps", "[variation]"
   Ledger ledger;
   const Model once =
       build(parse_scene(block() + contact + "interference = " + wedge, "name", ".").scene, ledger);
-  Model grown = build(parse_scene(block() + contact + "interference = { value = " + wedge +
-                                      ", history = \"drive\" }\n[[steps]]\nvalues = { drive = 2 }\n",
-                                  "name", ".")
-                          .scene,
-                      ledger);
+  Model grown =
+      build(parse_scene(block() + contact + "interference = { value = " + wedge +
+                            ", history = \"drive\" }\n[[steps]]\nvalues = { drive = 2 }\n",
+                        "name", ".")
+                .scene,
+            ledger);
   set_time(0.5, grown);
   REQUIRE(once.pairs.weight.size() == 4);
   for (Index k = 0; k < 4; ++k) {
@@ -191,14 +217,16 @@ TEST_CASE("an interference may vary, in one go and in load steps", "[variation]"
   }
 }
 
-TEST_CASE("a value that varies in a way that means nothing is refused where it stands", "[variation]") {
+TEST_CASE("a value that varies in a way that means nothing is refused where it stands",
+          "[variation]") {
   const auto told = [](const std::string& load) {
     return problem_message([&] { static_cast<void>(parse_scene(block() + load, "name", ".")); });
   };
   const auto pressure = [&](const std::string& value) {
     return told("pressure = { top = " + value + " }\n");
   };
-  CHECK_THAT(pressure("{ over = \"x\" }"), ContainsSubstring("expected either over and table, or polynomial"));
+  CHECK_THAT(pressure("{ over = \"x\" }"),
+             ContainsSubstring("expected either over and table, or polynomial"));
   CHECK_THAT(pressure("{ table = [[0, 1]] }"), ContainsSubstring("expected either over and table"));
   CHECK_THAT(pressure("{ over = \"z\", table = [[0, 1]] }"), ContainsSubstring("unknown word 'z'"));
   CHECK_THAT(pressure("{ over = \"x\", table = [[0, 1], [1]] }"),
@@ -207,12 +235,15 @@ TEST_CASE("a value that varies in a way that means nothing is refused where it s
              ContainsSubstring("places must increase, but 0 follows 1"));
   CHECK_THAT(pressure("{ over = \"x\", table = [[1, 1], [1, 2], [1, 3]] }"),
              ContainsSubstring("stands there three times"));
-  CHECK_THAT(pressure("{ polynomial = [[1, 0.5, 0]] }"), ContainsSubstring("powers must be whole numbers"));
-  CHECK_THAT(pressure("{ polynomial = [[1, 7, 6]] }"), ContainsSubstring("a sum of at most 12, got 7 and 6"));
+  CHECK_THAT(pressure("{ polynomial = [[1, 0.5, 0]] }"),
+             ContainsSubstring("powers must be whole numbers"));
+  CHECK_THAT(pressure("{ polynomial = [[1, 7, 6]] }"),
+             ContainsSubstring("a sum of at most 12, got 7 and 6"));
   CHECK_THAT(pressure("{ polynomial = [[1, 2]] }"), ContainsSubstring("[c, i, j], for c x^i y^j"));
   CHECK_THAT(told("temperature = { varying = { over = \"length\", table = [[0, 1]] } }\n"),
              ContainsSubstring("a body has no length, only a boundary has"));
-  CHECK_THAT(told("fixed = \"left\"\n[[contact]]\nsource = \"bottom\"\ntarget = { kind = \"half_plane\", "
-                  "point = [0, 0], normal = [0, 1] }\ninterference = { polynomial = [[-1, 1, 0]] }\n"),
-             ContainsSubstring("expected a length >= 0 all along the source, got -"));
+  CHECK_THAT(
+      told("fixed = \"left\"\n[[contact]]\nsource = \"bottom\"\ntarget = { kind = \"half_plane\", "
+           "point = [0, 0], normal = [0, 1] }\ninterference = { polynomial = [[-1, 1, 0]] }\n"),
+      ContainsSubstring("expected a length >= 0 all along the source, got -"));
 }

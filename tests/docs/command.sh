@@ -291,6 +291,7 @@ done
 # What probes read goes on like the table of pairs.
 probes=$examples/probes.toml
 expect 0 "probe 'tip' in 'beam'" solve "$probes" --probes outputs/p.csv
+expect 0 '^ +0.75 +100 +5 +-0.00564' solve "$probes" # one row: printed for each step
 holds 'rows of all probes and steps' test "$(grep -c '^time,probe,x,' outputs/p.csv) $(grep -c ',floor,' outputs/p.csv) $(grep -c ',wall,' outputs/p.csv)" = '1 324 4'
 sed 's/^count = 4/count = 2\nuntil = 0.5/; s/press = 1/press = 0.5/' "$probes" > half.toml
 expect 0 'solved: 2 steps up to time 0.5' solve half.toml --probes outputs/q.csv --state outputs/q

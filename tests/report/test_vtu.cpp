@@ -238,7 +238,8 @@ TEST_CASE("nothing is written of a problem that is not solved, or where nobody c
   const Folder folder;
   Solved run = solved("q4");
   CHECK_THAT(signorini_test::problem_message([&] {
-               write_vtu(folder.path() / "missing" / "beam.vtu", run.model, run.solution, {}, VtuNumbers::Ascii);
+               write_vtu(folder.path() / "missing" / "beam.vtu", run.model, run.solution, {},
+                         VtuNumbers::Ascii);
              }),
              ContainsSubstring("beam.vtu"));
   run.solution.contact.report.status = SolveStatus::Infeasible;

@@ -114,6 +114,7 @@ TEST_CASE("a VTU file of a load step has the slip in total", "[vtu][steps]") {
   CHECK(array_of(file, "contact_slip_total").at(node) == "-1.5");
   CHECK(array_of(file, "contact_motion").at(node) == "3");
   state.slip.setZero(2);
-  CHECK_THROWS_AS(write_vtu(folder.path() / "other.vtu", run.model, run.solution, totals(&state), VtuNumbers::Ascii),
+  CHECK_THROWS_AS(write_vtu(folder.path() / "other.vtu", run.model, run.solution, totals(&state),
+                            VtuNumbers::Ascii),
                   std::invalid_argument);
 }

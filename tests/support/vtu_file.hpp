@@ -28,8 +28,7 @@ std::vector<Number> appended_array_of(const std::string& file, const std::string
   const std::string offset = "format=\"appended\" offset=\"";
   const std::size_t at = file.find(offset, tag);
   if (at > file.find('>', tag)) return {};
-  const std::size_t begin =
-      file.find('_', data) + 1 + std::stoul(file.substr(at + offset.size()));
+  const std::size_t begin = file.find('_', data) + 1 + std::stoul(file.substr(at + offset.size()));
   std::uint64_t size = 0;
   if (begin + sizeof size > file.size()) return {};
   std::memcpy(&size, file.data() + begin, sizeof size);

@@ -69,8 +69,8 @@ std::map<Eigen::Index, double> ArcLength::of_nodes() const {
   for (std::size_t k = 0; k < sides_.size(); ++k) {
     const std::vector<Eigen::Index>& nodes = sides_[k].nodes();
     for (std::size_t i = 0; i < nodes.size(); ++i)
-      lengths.emplace(nodes[i], at(k, 2 * static_cast<double>(i) /
-                                          static_cast<double>(nodes.size() - 1) - 1));
+      lengths.emplace(
+          nodes[i], at(k, 2 * static_cast<double>(i) / static_cast<double>(nodes.size() - 1) - 1));
   }
   return lengths;
 }

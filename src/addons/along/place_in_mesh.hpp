@@ -13,8 +13,9 @@ namespace signorini {
 /// A point as its nodes have it.
 struct PlaceInMesh {
   std::vector<Eigen::Index> nodes;  ///< of the cell that holds it
-  Eigen::VectorXd share;            ///< of each of them: the shape functions there, which add up to 1 [-]
-  double outside;  ///< how far it is beyond the sides of the cell, whose reference cell is 1 or 2 wide [-]; 0 within
+  Eigen::VectorXd share;  ///< of each of them: the shape functions there, which add up to 1 [-]
+  double
+      outside;  ///< how far it is beyond the sides of the cell, whose reference cell is 1 or 2 wide [-]; 0 within
 };
 
 /// Finds a point. Where cells meet, the first that holds it is taken: displacements are the same there in all of them.

@@ -12,6 +12,7 @@
 #include "signorini/fem/stress.hpp"
 #include "signorini/report/nodal_fields.hpp"
 #include "signorini/scene/bodies.hpp"
+#include "signorini/scene/effects.hpp"
 
 namespace signorini {
 namespace {
@@ -31,7 +32,7 @@ struct Place {
   VectorXd share;
 };
 
-/// Adds columns x and y of vectors, or of none if nothing gives them.
+/// Adds columns x and y.
 void add_vectors(const std::string& name, const char* unit, const NodeArray& values,
                  Columns& columns) {
   columns.push_back({name + "_x", unit, "", values.col(0)});
@@ -44,6 +45,8 @@ class Reader {
   Reader(const Model& model, const Solution& solution, const std::optional<PathTotals>& totals)
       : model_(model), solution_(solution) {
     if (!model.contacts.empty()) contact_ = nodal_fields(model, solution, totals);
+    for (const Effect* effect : model.effects)
+      for (const std::string word : {"friction", "cohesion"}) rubs_ = rubs_ || effect->name == word;
   }
 
   [[nodiscard]] Columns read(const Probe& probe) {
@@ -116,30 +119,40 @@ class Reader {
     return columns;
   }
 
-  /// Gap, pressure and shear where all nodes that share a place have a pair.
+  /// A field of contact at nodes; null if no pair has it now.
+  [[nodiscard]] const NodalField* field(const std::string& name) const {
+    for (const NodalField& one : contact_)
+      if (one.name == name) return &one;
+    return nullptr;
+  }
+
+  /// Gap, pressure and shear where all nodes that share a place have a pair: columns stay when pairs come and go.
   void add_contact(const std::vector<Place>& rows, Columns& columns) const {
-    const NodalField* status = nullptr;
-    for (const NodalField& field : contact_)
-      if (field.name == "contact_status") status = &field;
-    for (const NodalField& field : contact_) {
-      const bool gap = field.name == "contact_gap";
-      if (!gap && field.name != "contact_pressure" && field.name != "contact_shear_traction")
-        continue;
-      const Index first = body().first_node;
-      VectorXd values = between(rows, field.values.middleRows(first, body().mesh.n_nodes()));
-      for (std::size_t k = 0; k < rows.size(); ++k)
-        for (std::size_t i = 0; i < rows[k].nodes.size(); ++i)
-          if (std::abs(rows[k].share(static_cast<Index>(i))) > 1e-9 &&
-              status->values(first + rows[k].nodes[i]) < 0)
-            values(static_cast<Index>(k)) = none;
-      columns.push_back({field.name, gap ? "length" : "force/length^2", "", std::move(values)});
+    if (model_.contacts.empty()) return;
+    std::vector<std::string> names = {"contact_gap", "contact_pressure"};
+    if (rubs_) names.emplace_back("contact_shear_traction");
+    const NodalField* const status = field("contact_status");
+    const Index first = body().first_node;
+    for (const std::string& name : names) {
+      VectorXd values = VectorXd::Constant(static_cast<Index>(rows.size()), none);
+      if (const NodalField* const one = field(name); one != nullptr && status != nullptr) {
+        values = between(rows, one->values.middleRows(first, body().mesh.n_nodes()));
+        for (std::size_t k = 0; k < rows.size(); ++k)
+          for (std::size_t i = 0; i < rows[k].nodes.size(); ++i)
+            if (std::abs(rows[k].share(static_cast<Index>(i))) > 1e-9 &&
+                status->values(first + rows[k].nodes[i]) < 0)
+              values(static_cast<Index>(k)) = none;
+      }
+      const char* const unit = name == "contact_gap" ? "length" : "force/length^2";
+      columns.push_back({name, unit, "", std::move(values)});
     }
   }
 
   /// What acts on the nodes of the body, with names; what is not there is not among them.
   [[nodiscard]] std::vector<std::pair<std::string, NodeArray>> forces() const {
     std::vector<std::pair<std::string, NodeArray>> all;
-    if (!model_.contacts.empty()) all.emplace_back("contact", contact_forces(model_, solution_, b_));
+    if (!model_.contacts.empty())
+      all.emplace_back("contact", contact_forces(model_, solution_, b_));
     const auto held = body().unknowns.number.array() < 0;
     if (held.any()) {
       const NodeArray support = support_forces(model_, solution_, b_);
@@ -161,8 +174,8 @@ class Reader {
     const std::vector<Index> nodes = boundary_nodes(mesh, boundary);
     const VectorXd weight = boundary_weights(mesh, boundary, depth_of(body().material));
     Columns columns;
-    add_vectors("displacement", "length",
-                weight.transpose() * u(nodes, Eigen::all) / weight.sum(), columns);
+    add_vectors("displacement", "length", weight.transpose() * u(nodes, Eigen::all) / weight.sum(),
+                columns);
     const bool axial = is_axial(body());
     for (const auto& [name, force] : forces()) {
       Vector2d sum = Vector2d::Zero();
@@ -183,6 +196,7 @@ class Reader {
 
   const Model& model_;
   const Solution& solution_;
+  bool rubs_ = false;  // whether the scene has friction
   std::vector<NodalField> contact_;
   std::map<std::size_t, StressArray> stress_;  // by number of the body
   std::size_t b_ = 0;                          // that is read
@@ -220,9 +234,8 @@ Columns table_of(const std::vector<Probe>& probes, const std::vector<Columns>& c
     table.front().words.push_back(probes[k].name);
     table.front().values.segment(first, own).setConstant(static_cast<double>(k));
     for (const PairColumn& column : columns[k]) {
-      auto same = std::find_if(table.begin(), table.end(), [&](const PairColumn& known) {
-        return known.name == column.name;
-      });
+      auto same = std::find_if(table.begin(), table.end(),
+                               [&](const PairColumn& known) { return known.name == column.name; });
       if (same == table.end()) {
         table.push_back({column.name, column.unit, "", VectorXd::Constant(rows, none)});
         same = table.end() - 1;

@@ -37,10 +37,9 @@ namespace signorini {
 /// \param totals    after this step of a path; nothing: the solution is no step
 /// \return the columns of each probe, a value for each of its places; what means nothing at a place is not a number
 /// \throws ProblemError if a body or a boundary is not there, or a point is far outside; std::invalid_argument as pair_columns()
-[[nodiscard]] std::vector<std::vector<PairColumn>> probed(const Model& model,
-                                                          const Solution& solution,
-                                                          const std::vector<Probe>& probes,
-                                                          const std::optional<PathTotals>& totals = {});
+[[nodiscard]] std::vector<std::vector<PairColumn>> probed(
+    const Model& model, const Solution& solution, const std::vector<Probe>& probes,
+    const std::optional<PathTotals>& totals = {});
 
 /// All probes in one table: a first column `probe`, then every column that one of them has.
 /// \param probes   in order

@@ -128,7 +128,8 @@ class Spline {
     const double h = at_(k + 1) - at_(k);
     const double a = (at_(k + 1) - within) / h;
     const double b = (within - at_(k)) / h;
-    const Vector2d p = points_.row(k), q = points_.row(k + 1), u = bend_.row(k), v = bend_.row(k + 1);
+    const Vector2d p = points_.row(k), q = points_.row(k + 1), u = bend_.row(k),
+                   v = bend_.row(k + 1);
     Frame found;
     found.x = a * p + b * q + ((a * a * a - a) * u + (b * b * b - b) * v) * (h * h / 6);
     found.slope = (q - p) / h + ((1 - 3 * a * a) * u + (3 * b * b - 1) * v) * (h / 6);
@@ -150,7 +151,8 @@ class Spline {
       upper(k) = behind / pivot;
       right.row(k) = (6 * ((points_.row(k + 1) - points_.row(k)) / behind -
                            (points_.row(k) - points_.row(k - 1)) / before) -
-                      before * right.row(k - 1)) / pivot;
+                      before * right.row(k - 1)) /
+                     pivot;
     }
     for (Index k = n - 2; k > 0; --k) right.row(k) -= upper(k) * right.row(k + 1);
     return right;
@@ -186,9 +188,10 @@ Obstacle polyline(const NodeArray& points) {
 
 Obstacle spline(const NodeArray& points) {
   check_points(points, "spline");
-  require_input(points.row(0) != points.bottomRows(1),
-                "obstacle 'spline': the first point is the last, but it is no closed curve: leave out the "
-                "last point, or take a polyline");
+  require_input(
+      points.row(0) != points.bottomRows(1),
+      "obstacle 'spline': the first point is the last, but it is no closed curve: leave out the "
+      "last point, or take a polyline");
   constexpr Index chords_of_piece = 8;
   const auto curve = std::make_shared<const Spline>(points);
   NodeArray fine(curve->pieces() * chords_of_piece + 1, 2);
@@ -207,8 +210,8 @@ Obstacle spline(const NodeArray& points) {
             const double from = place(near.chord);
             const double width = place(near.chord + 1) - from;
             // A chord more on either side; at the ends as far as the straight line goes.
-            const double low = near.chord == 0 ? from + std::min(share - 1, -1.0) * width
-                                               : place(near.chord - 1);
+            const double low =
+                near.chord == 0 ? from + std::min(share - 1, -1.0) * width : place(near.chord - 1);
             const double high = near.chord + 1 == chords->count()
                                     ? from + std::max(share + 1, 2.0) * width
                                     : place(near.chord + 2);

@@ -42,7 +42,8 @@ std::vector<double> pieces(const Variation& table, const SideCurve& side) {
     within(table.length->places(side, table.places));
   else
     for (const double place : table.places)
-      within(side.crossings(AnchoredPoint(place * Vector2d::Unit(axis)), Vector2d::Unit(1 - axis), 0));
+      within(
+          side.crossings(AnchoredPoint(place * Vector2d::Unit(axis)), Vector2d::Unit(1 - axis), 0));
   std::sort(ends.begin(), ends.end());
   ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
   return ends;

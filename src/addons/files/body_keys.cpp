@@ -353,7 +353,8 @@ const Keys<Temperature>& temperature_keys() {
   static const Keys<Temperature> keys = {
       key("uniform", &Temperature::uniform, "temperature", "at the origin"),
       key("gradient", &Temperature::gradient, "temperature/length", "along x and y"),
-      {{"varying", "table", "temperature", "", "what comes on top, over x or y or as a polynomial, "
+      {{"varying", "table", "temperature", "",
+        "what comes on top, over x or y or as a polynomial, "
         "see values that vary"},
        [](const Value& /*value*/, Temperature& /*temperature*/) {}},  // by who knows the mesh
       history_key(&Temperature::history)};

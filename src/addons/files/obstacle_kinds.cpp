@@ -110,7 +110,8 @@ const std::vector<Kind<Obstacle>>& obstacle_kinds() {
                 },
                 [s](double x) { return -(x - s.point.x()) / s.radius; });
           }),
-      profile_kind("polyline", "what lies to the right of straight lines from point to point", polyline),
+      profile_kind("polyline", "what lies to the right of straight lines from point to point",
+                   polyline),
       profile_kind("spline", "what lies to the right of a smooth curve through points", spline)};
   return kinds;
 }

@@ -17,8 +17,7 @@ const Body& body_of(const Value& value, const std::string& name, const std::vect
     if (body.mesh.name == name || (name.empty() && bodies.size() == 1)) return body;
     known.push_back(body.mesh.name);
   }
-  if (name.empty())
-    value.fail("the key 'body' is missing: there are several: ", listed(known));
+  if (name.empty()) value.fail("the key 'body' is missing: there are several: ", listed(known));
   value.find("body")->fail("no body is called ", in_quotes(name), suggestion(name, known));
 }
 
@@ -82,7 +81,8 @@ const Keys<ProbeDraft>& probe_keys() {
        [](const Value& value, ProbeDraft& draft) { take(value, draft.name); }},
       {{"body", "text", "", "the only one", "name of the body that it is in"},
        [](const Value& value, ProbeDraft& draft) { take(value, draft.body); }},
-      key("at", &ProbeDraft::at, "length", "a point, before loading: displacement and stress there"),
+      key("at", &ProbeDraft::at, "length",
+          "a point, before loading: displacement and stress there"),
       key("from", &ProbeDraft::from, "length", "begin of a line: the same at points along it"),
       key("to", &ProbeDraft::to, "length", "end of the line"),
       key("points", &ProbeDraft::points, "", "how many on the line, at equal distances",

@@ -15,10 +15,10 @@ namespace signorini {
 
 /// What a scene file asks to be written; an empty name asks for nothing.
 struct Output {
-  std::string vtu;    ///< meshes and fields, for ParaView
-  std::string csv;    ///< the pressure table
-  std::string plot;   ///< a picture of pressure and deformed meshes
-  std::string state;  ///< of the last load step
+  std::string vtu;     ///< meshes and fields, for ParaView
+  std::string csv;     ///< the pressure table
+  std::string plot;    ///< a picture of pressure and deformed meshes
+  std::string state;   ///< of the last load step
   std::string probes;  ///< the table of what probes read
   bool ascii = false;  ///< whether numbers of VTU files are text, see VtuNumbers
 };

@@ -124,9 +124,10 @@ void read_interference(const Value& value, ContactDraft& contact) {
   const Value& own = without_history(value, contact.interference_history);
   if (!varies(own)) return take(own, most, Bound::NotNegative);
   const Side& source = contact.source;
-  const Mesh& mesh = std::find_if(contact.bodies->begin(), contact.bodies->end(),
-                                  [&](const Body& body) { return body.mesh.name == source.body; })
-                         ->mesh;
+  const Mesh& mesh =
+      std::find_if(contact.bodies->begin(), contact.bodies->end(), [&](const Body& body) {
+        return body.mesh.name == source.body;
+      })->mesh;
   const Variation variation = read_variation(own, 1, mesh, source.boundary);
   const NodeArray nodes = mesh.nodes(boundary_nodes(mesh, source.boundary), Eigen::all);
   for (Eigen::Index k = 0; k < nodes.rows(); ++k)

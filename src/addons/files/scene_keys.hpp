@@ -58,14 +58,14 @@ struct LayerDraft : Material {
 
 /// A probe while it is read.
 struct ProbeDraft {
-  std::string name = {};                      ///< of its own; empty: see read_probes()
-  std::string body = {};                      ///< name of its body; empty: the only one
-  std::optional<Eigen::Vector2d> at = {};     ///< a point
-  std::optional<Eigen::Vector2d> from = {};   ///< begin of a line
-  std::optional<Eigen::Vector2d> to = {};     ///< end of it
-  int points = 11;                            ///< on the line
-  std::string along = {};                     ///< a boundary
-  std::string of = {};                        ///< a boundary
+  std::string name = {};                     ///< of its own; empty: see read_probes()
+  std::string body = {};                     ///< name of its body; empty: the only one
+  std::optional<Eigen::Vector2d> at = {};    ///< a point
+  std::optional<Eigen::Vector2d> from = {};  ///< begin of a line
+  std::optional<Eigen::Vector2d> to = {};    ///< end of it
+  int points = 11;                           ///< on the line
+  std::string along = {};                    ///< a boundary
+  std::string of = {};                       ///< a boundary
 };
 
 /// \return keys of the head of the file, in the order in which they are read

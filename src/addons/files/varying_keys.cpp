@@ -45,9 +45,9 @@ void read_table(const Value& value, Eigen::Index components, Variation& into) {
 }
 
 void read_polynomial(const Value& value, Eigen::Index components, Variation& into) {
-  const Eigen::MatrixXd rows =
-      rows_of(value, at(components + 2),
-              components == 1 ? "[c, i, j], for c x^i y^j" : "[c along x, c along y, i, j], for c x^i y^j");
+  const Eigen::MatrixXd rows = rows_of(
+      value, at(components + 2),
+      components == 1 ? "[c, i, j], for c x^i y^j" : "[c along x, c along y, i, j], for c x^i y^j");
   into.values = rows.leftCols(components);
   for (Eigen::Index k = 0; k < rows.rows(); ++k) {
     const double i = rows(k, components);
@@ -66,7 +66,8 @@ const std::vector<KeyInfo>& varying_keys() {
       {"over", type_name<Over>(), "", "",
        "what the table is over: a coordinate, or the length of the boundary from its begin on"},
       {"table", "list of [place, value]", "", "",
-       "of vectors [place, x, y]; straight between, constant beyond, the same place twice is a jump"},
+       "of vectors [place, x, y]; straight between, constant beyond, the same place twice is a "
+       "jump"},
       {"polynomial", "list of [c, i, j]", "", "",
        "in place of over and table: the sum of c x^i y^j, of vectors [c_x, c_y, i, j]"}};
   return keys;
@@ -94,7 +95,8 @@ Variation read_variation(const Value& value, Eigen::Index components, const Mesh
   }
   take(*over, variation.over);
   if (variation.over == Over::Length) {
-    if (boundary.empty()) over->fail("a body has no length, only a boundary has: give \"x\" or \"y\"");
+    if (boundary.empty())
+      over->fail("a body has no length, only a boundary has: give \"x\" or \"y\"");
     variation.length =
         over->explain([&] { return std::make_shared<const ArcLength>(mesh, boundary); });
   }

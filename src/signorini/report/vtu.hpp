@@ -13,7 +13,7 @@ namespace signorini {
 /// How numbers stand in a VTU file.
 enum class VtuNumbers {
   Binary,  ///< as the machine has them, behind the text of the file: small, and read at once
-  Ascii    ///< as text, with the digits that give back their bits: for people, and for programs that read text
+  Ascii  ///< as text, with the digits that give back their bits: for people, and for programs that read text
 };
 
 /// Writes mesh, displacements, stresses and contact quantities of a solution, all bodies in one piece, every number to its last bit.
