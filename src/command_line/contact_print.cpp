@@ -41,20 +41,6 @@ std::vector<PairColumn> printed(std::vector<PairColumn> columns, const Resultant
   return columns;
 }
 
-void print_pairs(std::ostream& out, const std::vector<PairColumn>& columns,
-                 const std::vector<Index>& pairs) {
-  const auto cell = [&](const PairColumn& column, const std::string& text) {
-    out << std::setw(std::max(14, static_cast<int>(column.name.size()) + 2)) << text;
-  };
-  out << '\n';
-  for (const PairColumn& column : columns) cell(column, column.name);
-  out << '\n';
-  for (const Index pair : pairs) {
-    for (const PairColumn& column : columns) cell(column, column.cell(pair, "%.6g"));
-    out << '\n';
-  }
-}
-
 /// How many pairs of a contact do what, and which are closed, if they are few.
 void print_closed(std::ostream& out, const std::vector<PairColumn>& columns, const Resultants& sum,
                   const std::vector<Index>& closed) {
@@ -66,7 +52,7 @@ void print_closed(std::ostream& out, const std::vector<PairColumn>& columns, con
   if (sum.closed > largest_printed)
     out << "more than " << largest_printed << " are not printed: --csv FILE writes them\n";
   else if (sum.closed > 0)
-    print_pairs(out, printed(columns, sum), closed);
+    print_rows(out, printed(columns, sum), closed);
 }
 
 void write_sums(Json& json, const Resultants& sum) {
@@ -86,6 +72,20 @@ void write_sums(Json& json, const Resultants& sum) {
 
 std::string force_in_words(const Eigen::Vector2d& force, bool axial) {
   return axial ? text(force.y(), " along the axis") : in_brackets(force);
+}
+
+void print_rows(std::ostream& out, const std::vector<PairColumn>& columns,
+                const std::vector<Index>& rows) {
+  const auto cell = [&](const PairColumn& column, const std::string& text) {
+    out << std::setw(std::max(14, static_cast<int>(column.name.size()) + 2)) << text;
+  };
+  out << '\n';
+  for (const PairColumn& column : columns) cell(column, column.name);
+  out << '\n';
+  for (const Index row : rows) {
+    for (const PairColumn& column : columns) cell(column, column.cell(row, "%.6g"));
+    out << '\n';
+  }
 }
 
 void print_contacts(std::ostream& out, const Model& model, const Solution& solution,

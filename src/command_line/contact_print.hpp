@@ -5,6 +5,7 @@
 
 #include "addons/files/json.hpp"
 #include "addons/steps/steps.hpp"
+#include "signorini/report/pair_columns.hpp"
 
 namespace command_line {
 
@@ -12,6 +13,13 @@ namespace command_line {
 /// \param axial  whether in axial symmetry
 /// \return the force as text; what pushes along the radius all round the axis has no sum
 std::string force_in_words(const Eigen::Vector2d& force, bool axial);
+
+/// Prints a table with 6 digits.
+/// \param out      where to
+/// \param columns  of it
+/// \param rows     that are printed
+void print_rows(std::ostream& out, const std::vector<signorini::PairColumn>& columns,
+                const std::vector<Eigen::Index>& rows);
 
 /// Prints of each contact its sums, and its closed pairs if they are few.
 /// \param out       where to

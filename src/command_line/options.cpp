@@ -44,6 +44,28 @@ void declare_mesh(CLI::App& app, Request& request) {
       ->type_name("FILE");
 }
 
+/// The files that a run may write.
+void declare_files(CLI::App& solve, signorini::Output& output) {
+  const auto add = [&](const char* option, std::string& into, const char* type, const char* what) {
+    solve.add_option(option, into, what)->type_name(type);
+  };
+  add("--vtu", output.vtu, "FILE",
+      "meshes and fields, for ParaView, with pressure, traction and status of contact; of load "
+      "steps a file each, and a .pvd of all");
+  solve.add_flag("--ascii", output.ascii,
+                 "numbers of VTU files as text, with 17 digits, in the place of their bytes");
+  add("--csv", output.csv, "FILE",
+      "a table of all pairs: place, gap, pressure, force, status; with friction shear, slip, "
+      "motion and dissipated work; with several contacts their names; of load steps with a column "
+      "time");
+  add("--plot", output.plot, "FILE",
+      "deformed meshes and the pressure of each contact, with friction also its shear, as a "
+      "picture .svg, .png or .pdf, by gnuplot; of load steps the last");
+  add("--probes", output.probes, "FILE",
+      "a table of what each [[probe]] of the scene reads; of load steps with a column time");
+  add("--state", output.state, "FILE", "where load steps are, kept up to date");
+}
+
 void declare_solve(CLI::App& app, Request& request) {
   CLI::App* const solve =
       add_scene(app, "solve", "solves a scene and certifies the result", request);
@@ -54,17 +76,7 @@ void declare_solve(CLI::App& app, Request& request) {
   add("--backend", request.backend, "NAME",
       "a name of --list: who factors the stiffness matrix; mpirun -np N gives mumps N processes")
       ->capture_default_str();
-  add("--vtu", request.output.vtu, "FILE",
-      "meshes and fields, for ParaView, with pressure, traction and status of contact; of load "
-      "steps a file each, and a .pvd of all");
-  add("--csv", request.output.csv, "FILE",
-      "a table of all pairs: place, gap, pressure, force, status; with friction shear, slip, "
-      "motion and dissipated work; with several contacts their names; of load steps with a column "
-      "time");
-  add("--plot", request.output.plot, "FILE",
-      "deformed meshes and the pressure of each contact, with friction also its shear, as a "
-      "picture .svg, .png or .pdf, by gnuplot; of load steps the last");
-  add("--state", request.output.state, "FILE", "where load steps are, kept up to date");
+  declare_files(*solve, request.output);
   add("--from", request.from, "FILE",
       "goes on from what --state wrote, to the same numbers; files keep the steps up to there, and "
       "are refused if they have others");

@@ -18,6 +18,7 @@
 #include "command_line/attendance.hpp"
 #include "command_line/picture.hpp"
 #include "command_line/print.hpp"
+#include "command_line/probe_print.hpp"
 #include "command_line/scene_print.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/table.hpp"
@@ -49,62 +50,6 @@ std::string numbered(const std::string& vtu, Index step) {
 std::vector<std::string> files_of_all_steps(Output output) {
   if (!output.vtu.empty()) output.vtu = collection(output.vtu);
   return files_of(output);
-}
-
-/// What a table of steps has until some time.
-struct TableUntil {
-  std::string lines;  // a last one that is not whole is left out
-  std::string head;   // names of the columns
-  Index steps = 0;
-  Index rows = 0;
-  double time = 0;  // of the last step
-};
-
-TableUntil table_until(double time, const std::string& table) {
-  constexpr std::string_view comment = "# time ";
-  TableUntil found;
-  for (std::size_t at = 0, end = 0; (end = table.find('\n', at)) != std::string::npos;
-       at = end + 1) {
-    const std::string_view line(table.data() + at, end - at);
-    const bool told = line.substr(0, comment.size()) == comment;
-    double now = 0;
-    const auto read =
-        std::from_chars(line.data() + (told ? comment.size() : 0), line.data() + line.size(), now);
-    if (read.ec == std::errc()) {
-      if (now > time) break;
-      if (found.steps == 0 || now != found.time) ++found.steps;
-      found.time = now;
-      if (!told) ++found.rows;
-    } else if (found.head.empty() && line.substr(0, 1) != "#") {
-      found.head = line;
-    }
-    found.lines.append(line).append(1, '\n');
-  }
-  return found;
-}
-
-/// What a file holds, nothing if there is none.
-std::string content_if_any(const std::string& file) {
-  std::error_code unseen;
-  return fs::is_regular_file(file, unseen)
-             ? file_content(file, std::numeric_limits<std::size_t>::max())
-             : "";
-}
-
-/// Refuses to go on in a file of other steps. \param right  whether it is that of the state
-void check_begun(bool right, const std::string& file, const PathState& from) {
-  require_input(right, file, ": this file has not the ", from.steps, " steps until time ",
-                shortest(from.time),
-                " after which --from goes on; give the one that they were written to, "
-                "or a name that is new");
-}
-
-void append(const std::string& file, const std::string& lines) {
-  std::ofstream out(file, std::ios::binary | std::ios::app);
-  out << lines;
-  out.close();
-  require_input(static_cast<bool>(out), "cannot write '", file,
-                "': give a folder that has room and may be written to");
 }
 
 Index solves_of(const Ledger& ledger) {
@@ -183,7 +128,9 @@ std::string command_on(const std::string& file, const Output& output) {
   std::string command = text("signorini solve ", file == standard_input ? "-" : file, " --from ",
                              output.state, " --state ", output.state);
   if (!output.vtu.empty()) command += " --vtu " + output.vtu;
+  if (output.ascii) command += " --ascii";
   if (!output.csv.empty()) command += " --csv " + output.csv;
+  if (!output.probes.empty()) command += " --probes " + output.probes;
   if (!output.plot.empty()) command += " --plot " + output.plot;
   return command;
 }
@@ -208,7 +155,7 @@ std::string kept(const std::string& file, const Output& output, const Step& step
   const std::string time = shortest(step.state.time);
   if (!output.state.empty())
     return text("the steps up to time ", time, " are kept; to go on: ", command_on(file, output));
-  const char* const files = output.vtu.empty() && output.csv.empty()
+  const char* const files = output.vtu.empty() && output.csv.empty() && output.probes.empty()
                                 ? "nothing is kept of the steps up to time "
                                 : "the files have the steps up to time ";
   return text(files, time, "; with --state FILE a run can go on from there, by --from FILE");
@@ -217,7 +164,12 @@ std::string kept(const std::string& file, const Output& output, const Step& step
 }  // namespace
 
 PathFiles::PathFiles(const SceneRun& run, const std::string& read)
-    : name_(run.file.name), wanted_(run.file.output), drafts_(files_of_all_steps(wanted_), read) {}
+    : name_(run.file.name),
+      wanted_(run.file.output),
+      probes_(run.file.probes),
+      drafts_(files_of_all_steps(wanted_), read),
+      table_(wanted_.csv),
+      probe_table_(wanted_.probes) {}
 
 void PathFiles::go_on(SceneRun& run, const std::string& file) {
   run.from = read_state(content_of(file), file);
@@ -225,20 +177,12 @@ void PathFiles::go_on(SceneRun& run, const std::string& file) {
   require_input(run.from.time < end, file, ": this state is that of time ", run.from.time,
                 ", but the load steps of ", run.file.name, " end at ", end,
                 ": nothing is left to solve. Add [[steps]] to go on");
-  if (!wanted_.csv.empty()) keep_table(run.from, run.file.scene.moves);
+  const Index pairs = run.from.steps * static_cast<Index>(run.from.contact_status.size());
+  std::optional<Index> rows;
+  if (!run.file.scene.moves) rows = pairs;  // else they come and go
+  if (table_.wanted() && !table_.keep(run.from, rows)) late_.push_back(wanted_.csv);
+  if (probe_table_.wanted() && !probe_table_.keep(run.from, {})) late_.push_back(wanted_.probes);
   if (!wanted_.vtu.empty()) keep_fields(run.from, collection(wanted_.vtu));
-}
-
-void PathFiles::keep_table(const PathState& from, bool moves) {
-  const std::string content = content_if_any(wanted_.csv);
-  if (content.empty()) return late_.push_back(wanted_.csv);
-  TableUntil kept = table_until(from.time, content);
-  const Index rows = from.steps * static_cast<Index>(from.contact_status.size());
-  const bool whole = kept.rows == rows || moves;  // whose pairs come and go
-  check_begun(kept.steps == from.steps && whole && kept.time == from.time, wanted_.csv, from);
-  from_ = from;
-  head_ = std::move(kept.head);
-  table_ = std::move(kept.lines);
 }
 
 void PathFiles::keep_fields(const PathState& from, const std::string& all) {
@@ -254,47 +198,28 @@ void PathFiles::keep_fields(const PathState& from, const std::string& all) {
   check_begun(right, all, from);
 }
 
-std::string PathFiles::rows_of(const Model& model, const Step& step) {
-  const std::string at = shortest(step.state.time);
-  std::string table;
-  bool named = false;
-  std::istringstream lines(pressure_csv(model, step.solution, "", totals(&step.state)));
-  for (std::string line; std::getline(lines, line);) {
-    if (line.front() == '#') {
-      table += text("# time ", at, ": ", line.substr(2), '\n');
-    } else if (named) {
-      table += text(at, ',', line, '\n');
-    } else {
-      named = true;
-      line = "time," + line;
-      if (head_.empty()) table += line + '\n';
-      check_begun(head_.empty() || head_ == line, wanted_.csv, from_);
-      head_ = line;
-    }
-  }
-  return table;
-}
-
 void PathFiles::add(const Model& model, const Step& step) {
   const Uninterrupted whole;
-  if (!wanted_.csv.empty()) table_ += rows_of(model, step);
   // The rows come before the state: if all ends between the two, they are of a step that will be done again.
-  if (begun_) append(wanted_.csv, table_);
+  if (table_.wanted())
+    table_.add(step.state.time, pressure_csv(model, step.solution, "", totals(&step.state)));
+  if (probe_table_.wanted())
+    probe_table_.add(step.state.time, probes_csv(probes_, model, step.solution, &step.state));
   drafts_.publish([&] {
     if (!wanted_.vtu.empty()) {
       const std::string fields = numbered(wanted_.vtu, step.state.steps);
       fields_.push_back({step.state.time, fs::path(fields).filename().string()});
-      write_vtu(drafts_.begin(fields), model, step.solution, totals(&step.state));
+      write_vtu(drafts_.begin(fields), model, step.solution, totals(&step.state),
+                numbers_of(wanted_));
       write_pvd(drafts_.begin(collection(wanted_.vtu)), fields_);
     }
-    if (!wanted_.csv.empty() && !begun_) write_file(drafts_.begin(wanted_.csv), table_);
+    table_.begin(drafts_);
+    probe_table_.begin(drafts_);
     if (wanted_.state.empty()) return;
     std::ostringstream state;
     write_state(step.state, state);
     write_file(drafts_.begin(wanted_.state), state.str());
   });
-  begun_ = !wanted_.csv.empty();
-  table_.clear();
   keeps(kept(name_, wanted_, step));
 }
 
@@ -363,7 +288,7 @@ void PathTeller::tell(const SceneRun& run, const Model& model, const Step& step)
     if (!run.plan.law.pair.empty())
       json_.key("dissipated_total")
           .value(step.state.dissipation.sum() + step.state.dissipated_elsewhere);
-    write_result(json_, model, step.solution, &step.state);
+    write_result(json_, model, step.solution, run.file.probes, &step.state);
     json_.end();
     return;
   }

@@ -8,6 +8,7 @@
 #include "addons/files/json.hpp"
 #include "addons/files/pvd.hpp"
 #include "command_line/scene_run.hpp"
+#include "command_line/step_table.hpp"
 
 namespace command_line {
 
@@ -38,17 +39,14 @@ class PathFiles {
   [[nodiscard]] const std::vector<std::string>& late() const { return late_; }
 
  private:
-  void keep_table(const signorini::PathState& from, bool moves);
   void keep_fields(const signorini::PathState& from, const std::string& all);
-  std::string rows_of(const signorini::Model& model, const signorini::Step& step);
 
   std::string name_;  // of the scene
   signorini::Output wanted_;
+  std::vector<signorini::Probe> probes_;
   Drafts drafts_;
-  signorini::PathState from_;
-  std::string head_;   // of the table; empty until it has one
-  std::string table_;  // what is not yet written of it
-  bool begun_ = false;
+  StepTable table_;
+  StepTable probe_table_;
   std::vector<signorini::TimedFile> fields_;
   std::vector<std::string> late_;
 };

@@ -5,6 +5,7 @@
 
 #include "command_line/contact_print.hpp"
 #include "command_line/print.hpp"
+#include "command_line/probe_print.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/fem/stress.hpp"
 #include "signorini/scene/bodies.hpp"
@@ -146,8 +147,9 @@ void print_plan(std::ostream& out, const SceneRun& run) {
 
 void print_result(std::ostream& out, const SceneRun& run) {
   print_bodies(out, *run.model, *run.solution);
-  if (run.solution->pressure.size() == 0) return;
-  print_contacts(out, *run.model, *run.solution, run.state());
+  if (run.solution->pressure.size() > 0)
+    print_contacts(out, *run.model, *run.solution, run.state());
+  print_probes(out, run);
 }
 
 void print_solution(std::ostream& out, const SceneRun& run) {
@@ -176,7 +178,7 @@ void write_head(Json& json, const SceneRun& run) {
 }
 
 void write_result(Json& json, const Model& model, const Solution& solution,
-                  const PathState* state) {
+                  const std::vector<Probe>& probes, const PathState* state) {
   const bool solved = solution.contact.report.status == SolveStatus::Solved;
   write_lines(json, "notes", solution.notes);
   json.key("solved").value(solved);
@@ -190,6 +192,7 @@ void write_result(Json& json, const Model& model, const Solution& solution,
   if (solved) {
     write_contacts(json, model, solution, state);
     write_bodies(json, model, solution);
+    write_probes(json, probes, model, solution, state);
   }
   write_ledger(json, "ledger", solution.ledger);
 }
@@ -197,7 +200,7 @@ void write_result(Json& json, const Model& model, const Solution& solution,
 void write_keys(Json& json, const SceneRun& run) {
   write_head(json, run);
   if (run.solution)
-    write_result(json, *run.model, *run.solution, run.state());
+    write_result(json, *run.model, *run.solution, run.file.probes, run.state());
   else
     write_lines(json, "notes", run.notes());
 }

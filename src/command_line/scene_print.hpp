@@ -42,9 +42,11 @@ void write_head(signorini::Json& json, const SceneRun& run);
 /// \param json      the document
 /// \param model     that was solved or not
 /// \param solution  of it
+/// \param probes    of the scene
 /// \param state     after this load step; null: the solution is no step
 void write_result(signorini::Json& json, const signorini::Model& model,
-                  const signorini::Solution& solution, const signorini::PathState* state);
+                  const signorini::Solution& solution, const std::vector<signorini::Probe>& probes,
+                  const signorini::PathState* state);
 
 /// Writes a scene as keys of an object that is open: plan, and as far as it came, certificate, ledger, pairs and notes.
 /// \param json  the document

@@ -11,6 +11,7 @@
 #include "command_line/attendance.hpp"
 #include "command_line/overdue.hpp"
 #include "command_line/picture.hpp"
+#include "command_line/probe_print.hpp"
 #include "papers/solver_table.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/table.hpp"
@@ -59,6 +60,7 @@ void follow(SceneRun& run, Ledger ledger, const StepObserver& observe, const Pro
   const auto each = [&](const Model& at, const Step& step) {
     run.solution = step.solution;
     run.ledgers.push_back(step.solution.ledger);
+    keep_probes(run, at, step);
     progress.say("");
     observe(at, step);
     const std::chrono::duration<double> gone = std::chrono::steady_clock::now() - begin;
@@ -171,9 +173,13 @@ void solve_scene(SceneRun& run, const StepObserver& observe) {
 
 std::vector<std::string> files_of(const Output& output) {
   std::vector<std::string> files;
-  for (const std::string& file : {output.vtu, output.csv, output.plot, output.state})
+  for (const std::string& file : {output.vtu, output.csv, output.plot, output.state, output.probes})
     if (!file.empty()) files.push_back(file);
   return files;
+}
+
+VtuNumbers numbers_of(const Output& output) {
+  return output.ascii ? VtuNumbers::Ascii : VtuNumbers::Binary;
 }
 
 void write_outputs(const SceneRun& run, Drafts& drafts) {
@@ -181,9 +187,13 @@ void write_outputs(const SceneRun& run, Drafts& drafts) {
   const Progress progress("writing files");
   const Uninterrupted whole;
   drafts.publish([&] {
-    if (!wanted.vtu.empty()) write_vtu(drafts.begin(wanted.vtu), *run.model, *run.solution);
+    if (!wanted.vtu.empty())
+      write_vtu(drafts.begin(wanted.vtu), *run.model, *run.solution, {}, numbers_of(wanted));
     if (!wanted.csv.empty())
       write_file(drafts.begin(wanted.csv), pressure_csv(*run.model, *run.solution));
+    if (!wanted.probes.empty())
+      write_file(drafts.begin(wanted.probes),
+                 probes_csv(run.file.probes, *run.model, *run.solution, nullptr));
     if (!wanted.plot.empty()) draw(drafts.begin(wanted.plot), picture_kind(wanted.plot), run);
   });
   keeps("all files were written");

@@ -13,6 +13,8 @@
 #include "addons/prediction/prediction.hpp"
 #include "addons/steps/steps.hpp"
 #include "command_line/drafts.hpp"
+#include "signorini/report/pair_columns.hpp"
+#include "signorini/report/vtu.hpp"
 #include "signorini/scene/notes.hpp"
 
 namespace command_line {
@@ -64,6 +66,12 @@ auto read_or_hint(const std::string& file, const std::string& content, const cha
   }
 }
 
+/// What probes read in a load step.
+struct ProbedStep {
+  double time;                                                ///< when it ended
+  std::vector<std::vector<signorini::PairColumn>> of_probes;  ///< of each, see signorini::probed()
+};
+
 /// What was made of a scene file, as far as it came.
 struct SceneRun {
   signorini::SceneFile file;  ///< as it was read, with what the command line changes
@@ -76,6 +84,8 @@ struct SceneRun {
       solution;  ///< after solve_scene(); of load steps, of the last good one
   std::optional<signorini::PathEnd> end;        ///< of load steps, after solve_scene()
   std::vector<signorini::Ledger> ledgers = {};  ///< of the solution, or of all load steps
+  /// Of load steps with probes: the first steps, one more than are printed.
+  std::vector<ProbedStep> probed_steps = {};
   /// Of load steps: what every process did, empty if the back end works alone.
   signorini::Ledger processes = {};
 
@@ -120,6 +130,9 @@ void solve_scene(SceneRun& run, const signorini::StepObserver& observe = {});
 
 /// \param output  what is asked for \return the names of its files
 std::vector<std::string> files_of(const signorini::Output& output);
+
+/// \param output  what is asked for \return how numbers of its VTU files are written
+signorini::VtuNumbers numbers_of(const signorini::Output& output);
 
 /// Writes what the scene file and the command line ask for.
 /// \param run     that is solved

@@ -204,6 +204,10 @@ int solve_scene(const Request& request, const Team* team) {
   if (!request.output.csv.empty()) output.csv = request.output.csv;
   if (!request.output.plot.empty()) output.plot = request.output.plot;
   if (!request.output.state.empty()) output.state = request.output.state;
+  output.ascii = output.ascii || request.output.ascii;
+  if (!request.output.probes.empty()) output.probes = request.output.probes;
+  require_input(output.probes.empty() || !run.file.probes.empty(), "--probes: ", run.file.name,
+                " has no probe: leave it out, or give the scene a [[probe]]");
   if (!output.plot.empty()) static_cast<void>(command_line::picture_kind(output.plot));
   require_input(!request.accuracy.target.empty() || request.accuracy.goal.empty(),
                 "--goal: say how accurate it is to be, as in --accuracy 0.5%");

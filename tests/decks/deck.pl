@@ -47,7 +47,7 @@ sub solved {    # the document of the program, the steps of it and their VTU fil
     make_path($folder);
     my $vtu = "$folder/$name.vtu";
     unlink glob("$folder/${name}*.vtu"), "$folder/$name.pvd";
-    open my $run, '-|', $program, 'solve', "$decks/$name.toml", '--json', '--vtu', $vtu or die "deck.pl: $program: $!\n";
+    open my $run, '-|', $program, 'solve', "$decks/$name.toml", '--json', '--ascii', '--vtu', $vtu or die "deck.pl: $program: $!\n";
     my $said = do { local $/; <$run> };
     close $run;
     die "deck.pl: $name is not solved, exit code ", $? >> 8, "\n" if $?;

@@ -288,6 +288,18 @@ for begun in 'tail -n +2000 outputs/a.csv' 'sed /^1.5,/d outputs/a.csv' 'sed s/^
     expect 2 'outputs/d.csv: this file has not the 11 steps until time 2 after which --from goes on' solve "$path" --from outputs/c --csv outputs/d.csv
     holds 'a file of other steps stays' cmp kept outputs/d.csv
 done
+# What probes read goes on like the table of pairs.
+probes=$examples/probes.toml
+expect 0 "probe 'tip' in 'beam'" solve "$probes" --probes outputs/p.csv
+expect 0 '^ +0.75 +100 +5 +-0.00564' solve "$probes" # one row: printed for each step
+holds 'rows of all probes and steps' test "$(grep -c '^time,probe,x,' outputs/p.csv) $(grep -c ',floor,' outputs/p.csv) $(grep -c ',wall,' outputs/p.csv)" = '1 324 4'
+sed 's/^count = 4/count = 2\nuntil = 0.5/; s/press = 1/press = 0.5/' "$probes" > half.toml
+expect 0 'solved: 2 steps up to time 0.5' solve half.toml --probes outputs/q.csv --state outputs/q
+expect 0 'goes on from time 0.5, after 2 steps' solve "$probes" --from outputs/q --probes outputs/q.csv
+holds 'the same table of probes' cmp outputs/p.csv outputs/q.csv
+sed -i '/^0.25,/d' outputs/q.csv
+expect 2 'outputs/q.csv: this file has not the 2 steps' solve "$probes" --from outputs/q --probes outputs/q.csv
+expect 2 '^signorini: --probes: .*punch.toml has no probe: leave it out, or give the scene a \[\[probe\]\]' solve "$examples/punch.toml" --probes outputs/q.csv
 sed 's/pressure,force/force,pressure/' outputs/a.csv > outputs/d.csv
 expect 2 'outputs/d.csv: this file has not the 11 steps' solve "$path" --from outputs/c --csv outputs/d.csv
 expect 2 'outputs/c.pvd: this file has not the 11 steps' solve "$path" --from outputs/c --vtu outputs/c.vtu
@@ -378,7 +390,7 @@ expect 0 'punch.bottom on block.top: force on the source \(-150, 1000\), .* norm
 expect 0 '21 of 21 pairs are closed: 19 stick, 2 slide' solve "$examples/punch.toml"
 expect 0 ' 5 +0 +372\.811 +93\.2026 +-149\.124 +-37\.2811 +0\.000908812 +forward +0\.0338815' solve "$examples/punch.toml"
 expect 0 'contact beam.bottom on half plane: force on the source' solve "$cantilever"
-expect 0 'all contacts: force on the sources \(2, 20\)' solve two_contacts.toml --csv outputs/two.csv --vtu outputs/two.vtu
+expect 0 'all contacts: force on the sources \(2, 20\)' solve two_contacts.toml --csv outputs/two.csv --vtu outputs/two.vtu --ascii
 header() { # file: the names of its columns
     grep -v '^#' "$1" | head -n 1
 }
@@ -389,7 +401,7 @@ holds 'rows of one without' test "$(grep -Ec ',0,0,[-+0-9.e]+,,0,block.left on h
 for name in $(printf '%s' "$old,$new,time,slip_total,dissipated_total,contact" | tr , ' ') $(grep -o 'contact_[a-z_]*' outputs/two.vtu | sort -u); do
     holds "no $name in the README of the examples" grep -Fq "\`$name\`" "$examples/README.md"
 done
-expect 0 solved solve "$cantilever" --csv outputs/one.csv --vtu outputs/one.vtu
+expect 0 solved solve "$cantilever" --csv outputs/one.csv --vtu outputs/one.vtu --ascii
 holds 'columns without friction' test "$(header outputs/one.csv)" = "$old,slip"
 holds 'fields without friction' test "$(grep -Ec 'contact_(shear|motion|number)' outputs/one.vtu)" = 0
 holds 'slip without friction' test "$(grep -c 'contact_slip' outputs/one.vtu)" = 1

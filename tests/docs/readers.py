@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """readers.py PROGRAM SOURCES FOLDER
 
-What PROGRAM writes, read by others. VTU files of scenes of SOURCES by VTK, on which ParaView is built, and by meshio: both must find
-the same points, cells, fields and names, and the digits that are in the text. Writes to FOLDER. What is not installed is left out; if
+What PROGRAM writes, read by others. VTU files of scenes of SOURCES, binary and as text, by VTK, on which ParaView is built, and by meshio:
+both must find the same points, cells, fields and names in both, and the digits that are in the text to their last bits. Writes to FOLDER. What is not installed is left out; if
 nothing is (tools/setup.sh formats), the status is 77.
 """
 import os
@@ -70,15 +70,20 @@ def main():
     os.makedirs(folder, exist_ok=True)
     for scene, names in SCENES.items():
         file = os.path.join(folder, os.path.basename(scene).replace(".toml", ".vtu"))
-        subprocess.run([program, "solve", os.path.join(sources, scene), "--vtu", file], check=True, stdout=subprocess.DEVNULL)
-        want = {"names": names, "whole": True, "pressure": written(file, "contact_pressure"), "displacement": written(file, "displacement"),
-                "points": len(written(file, "points")) // 3, "cells": len(written(file, "offsets"))}
-        for name, (module, ask) in readers.items():
-            got = ask(module, file)
-            for what, value in want.items():
-                if got[what] != value:
-                    return "readers.py: %s of %s by %s: got %.200s, expected %.200s" % (what, scene, name, got[what], value)
-    print("%d files by %s" % (len(SCENES), " and ".join(readers)))
+        plain = file.replace(".vtu", "_text.vtu")
+        for out, more in (file, []), (plain, ["--ascii"]):
+            subprocess.run([program, "solve", os.path.join(sources, scene), "--vtu", out, *more], check=True, stdout=subprocess.DEVNULL)
+        want = {"names": names, "whole": True, "pressure": written(plain, "contact_pressure"), "displacement": written(plain, "displacement"),
+                "points": len(written(plain, "points")) // 3, "cells": len(written(plain, "offsets"))}
+        for out in file, plain:
+            for name, (module, ask) in readers.items():
+                got = ask(module, out)
+                for what, value in want.items():
+                    if got[what] != value:
+                        return "readers.py: %s of %s by %s: got %.200s, expected %.200s" % (what, out, name, got[what], value)
+        if not os.path.getsize(file) < os.path.getsize(plain):
+            return "readers.py: %s has %d bytes, as text %d: it should be smaller" % (file, os.path.getsize(file), os.path.getsize(plain))
+    print("%d files by %s" % (2 * len(SCENES), " and ".join(readers)))
     return 0
 
 

@@ -22,7 +22,7 @@ ELSEWHERE = {"processes"}  # of back ends that work on several processes
 RUNS = [["plan", "examples/hertz.toml"], ["solve", "examples/cantilever.toml", "--accuracy", "1%"],
         ["lcp", "tests/data/siconos_lcp/lcp_CPS_1.dat", "--solver", "all"], ["qp", "tests/data/maros_meszaros/HS52.txt", "--solver", "all"],
         ["friction", "tests/data/siconos_fc2d/FC2D_SliderCrankLagrangian00000.dat", "--solver", "all"],
-        ["friction", "tests/hard/friction/three_answers.txt"], ["solve", "examples/bolt_in_tube.toml"], ["solve", "src/addons/effects/springs.toml"],
+        ["friction", "tests/hard/friction/three_answers.txt"], ["solve", "examples/bolt_in_tube.toml"], ["solve", "examples/probes.toml"], ["solve", "src/addons/effects/springs.toml"],
         ["mesh", "examples/lining.toml"], ["mesh", "tests/data/inp/two_blocks.inp"], ["mesh", "tests/data/inp/layers.toml"],
         ["mesh", "tests/data/inp/inverted.inp"]]
 RUNS += [["solve", "tests/data/transcripts/%s.toml" % name]

@@ -44,7 +44,7 @@ TEST_CASE("a VTU file is well formed and its arrays have the sizes it names", "[
     CAPTURE(element);
     const Solved run = solved(element);
     const std::filesystem::path path = folder.path() / "beam.vtu";
-    write_vtu(path, run.model, run.solution);
+    write_vtu(path, run.model, run.solution, {}, VtuNumbers::Ascii);
     const std::string file = content_of(path);
     const auto points = static_cast<std::size_t>(run.model.bodies[0].mesh.n_nodes());
     const auto cells = static_cast<std::size_t>(run.model.bodies[0].mesh.n_cells());
@@ -80,7 +80,7 @@ TEST_CASE("triangles and quadrilaterals stand in a VTU file as what they are", "
     Scene scene = signorini_test::cantilever(element, 2, 1);
     scene.bodies[0].mesh = split(scene.bodies[0].mesh, {1});
     const SolvedScene run = signorini::solved(scene, "beam");
-    write_vtu(folder.path() / "beam.vtu", run.model, run.solution);
+    write_vtu(folder.path() / "beam.vtu", run.model, run.solution, {}, VtuNumbers::Ascii);
     const std::string file = content_of(folder.path() / "beam.vtu");
     using Words = std::vector<std::string>;
     const bool linear = run.model.bodies[0].mesh.order() == MeshOrder::Linear;
@@ -96,7 +96,7 @@ TEST_CASE("triangles and quadrilaterals stand in a VTU file as what they are", "
 TEST_CASE("a VTU file holds the solution at the right nodes", "[vtu]") {
   const Folder folder;
   const Solved run = solved("q4_incompatible");
-  write_vtu(folder.path() / "beam.vtu", run.model, run.solution);
+  write_vtu(folder.path() / "beam.vtu", run.model, run.solution, {}, VtuNumbers::Ascii);
   const std::string file = content_of(folder.path() / "beam.vtu");
   const std::vector<std::string> u = array_of(file, "displacement");
   const std::vector<std::string> pressure = array_of(file, "contact_pressure");
@@ -113,13 +113,10 @@ TEST_CASE("a VTU file holds the solution at the right nodes", "[vtu]") {
   for (std::size_t node = 0; node < gap.size(); ++node) {
     const auto row = static_cast<Eigen::Index>(node);
     CAPTURE(node);
-    CHECK(std::stod(u[3 * node + 1]) ==
-          Approx(run.solution.displacements[0](row, 1)).epsilon(1e-8).margin(1e-15));
+    CHECK(std::stod(u[3 * node + 1]) == run.solution.displacements[0](row, 1));
     for (std::size_t k = 0; k < 2; ++k)  // where the body was without loads
       CHECK(std::stod(points[3 * node + k]) ==
-            Approx(run.model.bodies[0].mesh.nodes(row, static_cast<Eigen::Index>(k)))
-                .epsilon(1e-8)
-                .margin(0));
+            run.model.bodies[0].mesh.nodes(row, static_cast<Eigen::Index>(k)));
     Eigen::Vector4d s;
     for (Eigen::Index k = 0; k < 4; ++k)
       s(k) = std::stod(stress[4 * node + static_cast<std::size_t>(k)]);
@@ -151,7 +148,7 @@ TEST_CASE("a VTU file of a body of revolution has its hoop stress", "[vtu][axial
   scene.bodies[1].loads.edges.push_back({"top", 5, {}});
   const SolvedScene run = signorini::solved(scene, "cylinders");
   const Folder folder;
-  write_vtu(folder.path() / "cylinders.vtu", run.model, run.solution);
+  write_vtu(folder.path() / "cylinders.vtu", run.model, run.solution, {}, VtuNumbers::Ascii);
   const std::vector<std::string> stress =
       array_of(content_of(folder.path() / "cylinders.vtu"), "cell_stress");
   const std::string file = content_of(folder.path() / "cylinders.vtu");
@@ -183,20 +180,52 @@ TEST_CASE("pairs at Gauss points belong to no node, and no node of a VTU file sa
   const SolvedScene run = signorini::solved(scene, "blocks");
   CHECK_FALSE(run.solution.contact.active.empty());
   const Folder folder;
-  write_vtu(folder.path() / "blocks.vtu", run.model, run.solution);
+  write_vtu(folder.path() / "blocks.vtu", run.model, run.solution, {}, VtuNumbers::Ascii);
   const std::string file = content_of(folder.path() / "blocks.vtu");
   CHECK(array_of(file, "contact_pressure") == std::vector<std::string>(12, "0"));
   CHECK(array_of(file, "contact_gap") == std::vector<std::string>(12, "0"));
   CHECK(array_of(file, "contact_status") == std::vector<std::string>(12, "-1"));
 }
 
+TEST_CASE("a binary VTU file holds the bits of the text, in fewer bytes", "[vtu]") {
+  const Folder folder;
+  Scene scene =
+      signorini_test::two_blocks(signorini_test::named_block("lower", {0, 0}, {2, 1}, 3, 2),
+                                 signorini_test::named_block("upper", {0, 1}, {2, 1}, 2, 1));
+  scene.bodies[1].supports = {symmetric("left")};
+  scene.bodies[1].loads.edges = {{"top", 1, {}}};
+  const SolvedScene run = signorini::solved(scene, "blocks");
+  write_vtu(folder.path() / "text.vtu", run.model, run.solution, {}, VtuNumbers::Ascii);
+  write_vtu(folder.path() / "bytes.vtu", run.model, run.solution);
+  const std::string text = content_of(folder.path() / "text.vtu");
+  const std::string bytes = content_of(folder.path() / "bytes.vtu");
+  for (const char* name : {"displacement", "stress", "von_mises", "contact_pressure",
+                           "contact_traction", "cell_stress", "points"}) {
+    CAPTURE(name);
+    std::vector<double> numbers;
+    for (const std::string& word : array_of(text, name)) numbers.push_back(std::stod(word));
+    CHECK_FALSE(numbers.empty());
+    CHECK(signorini_test::appended_array_of<double>(bytes, name) == numbers);
+  }
+  for (const char* name : {"contact_status", "body", "connectivity", "offsets"}) {
+    CAPTURE(name);
+    std::vector<std::int64_t> numbers;
+    for (const std::string& word : array_of(text, name)) numbers.push_back(std::stol(word));
+    CHECK_FALSE(numbers.empty());
+    CHECK(signorini_test::appended_array_of<std::int64_t>(bytes, name) == numbers);
+  }
+  const auto types = signorini_test::appended_array_of<std::uint8_t>(bytes, "types");
+  CHECK(types.size() == array_of(text, "types").size());
+  CHECK(std::to_string(types.front()) == array_of(text, "types").front());
+}
+
 TEST_CASE("the notes of a solution are comments of its VTU file", "[vtu]") {
   const Folder folder;
   Solved run = solved("q4");
-  write_vtu(folder.path() / "none.vtu", run.model, run.solution);
+  write_vtu(folder.path() / "none.vtu", run.model, run.solution, {}, VtuNumbers::Ascii);
   CHECK(content_of(folder.path() / "none.vtu").find("<!--") == std::string::npos);
   run.solution.notes = {"a < b & c", "two -- three---four"};
-  write_vtu(folder.path() / "notes.vtu", run.model, run.solution);
+  write_vtu(folder.path() / "notes.vtu", run.model, run.solution, {}, VtuNumbers::Ascii);
   const std::string file = content_of(folder.path() / "notes.vtu");
   CHECK(is_balanced(file));
   CHECK_THAT(file, ContainsSubstring("<!-- note: a < b & c -->\n") &&
@@ -209,7 +238,8 @@ TEST_CASE("nothing is written of a problem that is not solved, or where nobody c
   const Folder folder;
   Solved run = solved("q4");
   CHECK_THAT(signorini_test::problem_message([&] {
-               write_vtu(folder.path() / "missing" / "beam.vtu", run.model, run.solution);
+               write_vtu(folder.path() / "missing" / "beam.vtu", run.model, run.solution, {},
+                         VtuNumbers::Ascii);
              }),
              ContainsSubstring("beam.vtu"));
   run.solution.contact.report.status = SolveStatus::Infeasible;

@@ -30,7 +30,7 @@ TEST_CASE("a VTU file shows friction and tells contacts apart", "[vtu][friction]
   const SolvedScene run = solved(scene, "block");
   const ContactState& contact = run.solution.contact;
   const Folder folder;
-  write_vtu(folder.path() / "block.vtu", run.model, run.solution);
+  write_vtu(folder.path() / "block.vtu", run.model, run.solution, {}, VtuNumbers::Ascii);
   const std::string file = content_of(folder.path() / "block.vtu");
   CHECK(is_balanced(file));
   const auto points = static_cast<std::size_t>(run.model.bodies[0].mesh.n_nodes());
@@ -83,7 +83,7 @@ TEST_CASE("the contact tractions of a VTU file bear the weight of a block on any
   scene.contacts[0].friction = Friction{0.8, 0};
   const SolvedScene run = solved(scene, "block");
   const Folder folder;
-  write_vtu(folder.path() / "block.vtu", run.model, run.solution);
+  write_vtu(folder.path() / "block.vtu", run.model, run.solution, {}, VtuNumbers::Ascii);
   const std::vector<std::string> traction =
       array_of(content_of(folder.path() / "block.vtu"), "contact_traction");
   Eigen::Vector2d force(0, 0);
@@ -108,12 +108,13 @@ TEST_CASE("a VTU file of a load step has the slip in total", "[vtu][steps]") {
   state.slip = Eigen::VectorXd::Constant(1, -1.5);
   state.dissipation = Eigen::VectorXd::Constant(1, 4.5);
   const Folder folder;
-  write_vtu(folder.path() / "step.vtu", run.model, run.solution, totals(&state));
+  write_vtu(folder.path() / "step.vtu", run.model, run.solution, totals(&state), VtuNumbers::Ascii);
   const std::string file = content_of(folder.path() / "step.vtu");
   CHECK(array_of(file, "contact_slip").at(node) == "-0.5");
   CHECK(array_of(file, "contact_slip_total").at(node) == "-1.5");
   CHECK(array_of(file, "contact_motion").at(node) == "3");
   state.slip.setZero(2);
-  CHECK_THROWS_AS(write_vtu(folder.path() / "other.vtu", run.model, run.solution, totals(&state)),
+  CHECK_THROWS_AS(write_vtu(folder.path() / "other.vtu", run.model, run.solution, totals(&state),
+                            VtuNumbers::Ascii),
                   std::invalid_argument);
 }

@@ -1,5 +1,7 @@
 // What stands in a VTU file.
 #pragma once
+#include <cstdint>
+#include <cstring>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -15,6 +17,25 @@ inline std::vector<std::string> array_of(const std::string& file, const std::str
   std::vector<std::string> words;
   for (std::string word; in >> word;) words.push_back(word);
   return words;
+}
+
+/// The numbers of an appended array called `name`; empty if there is none.
+template <typename Number>
+std::vector<Number> appended_array_of(const std::string& file, const std::string& name) {
+  const std::size_t tag = file.find("Name=\"" + name + "\"");
+  const std::size_t data = file.find("<AppendedData encoding=\"raw\">\n_");
+  if (tag == std::string::npos || data == std::string::npos) return {};
+  const std::string offset = "format=\"appended\" offset=\"";
+  const std::size_t at = file.find(offset, tag);
+  if (at > file.find('>', tag)) return {};
+  const std::size_t begin = file.find('_', data) + 1 + std::stoul(file.substr(at + offset.size()));
+  std::uint64_t size = 0;
+  if (begin + sizeof size > file.size()) return {};
+  std::memcpy(&size, file.data() + begin, sizeof size);
+  if (size > file.size() - begin - sizeof size) return {};
+  std::vector<Number> numbers(size / sizeof(Number));
+  std::memcpy(numbers.data(), file.data() + begin + sizeof size, size);
+  return numbers;
 }
 
 /// Whether every tag that is opened is closed in the right order.

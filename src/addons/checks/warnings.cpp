@@ -84,11 +84,14 @@ Resultant resultant(const Mesh& mesh, const EdgeLoad& load, const Depth& depth) 
   const AnchoredPoint first(
       mesh.nodes.row(boundary_nodes(mesh, load.boundary).front()).transpose());
   Resultant sum;
-  integrate_boundary(mesh, load.boundary, [&](const BoundaryPoint& at) {
-    const Vector2d position = at.point.position();
-    sum.add(at.point - first,
-            at.weight * at.tangent.norm() * depth.part(position.x()) * load.traction(position));
-  });
+  integrate_boundary(
+      mesh, load.boundary,
+      [&](const BoundaryPoint& at) {
+        const Vector2d position = at.point.position();
+        sum.add(at.point - first,
+                at.weight * at.tangent.norm() * depth.part(position.x()) * load.traction(position));
+      },
+      load.rule);
   return sum;
 }
 

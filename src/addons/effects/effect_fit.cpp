@@ -72,8 +72,13 @@ std::string adjust(const ContactSpec& contact, Pairs& pairs) {
 std::string press(const ContactSpec& contact, Pairs& pairs) {
   const double closer = contact.interference.value_or(0);
   if (closer == 0) return "";
-  pairs.initial_gap.array() -= closer;
-  return text(", all closer by ", closer);
+  if (!contact.interference_share) {
+    pairs.initial_gap.array() -= closer;
+    return text(", all closer by ", closer);
+  }
+  for (Index k = 0; k < pairs.initial_gap.size(); ++k)
+    pairs.initial_gap(k) -= closer * contact.interference_share(pairs.position.row(k).transpose());
+  return text(", closer by up to ", closer);
 }
 
 }  // namespace

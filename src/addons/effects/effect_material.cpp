@@ -60,6 +60,7 @@ void declare_temperature(const Scene& scene, Plan& draft) {
     if ((temperature.gradient.array() != 0).any())
       line += text(" at the origin, with the gradient (", temperature.gradient.x(), ", ",
                    temperature.gradient.y(), ')');
+    if (temperature.varying) line += ", and what varies on top of that";
     draft.on.push_back(line);
     double most = 0;
     std::vector<Material> materials = field.others;

@@ -111,7 +111,8 @@ struct Weighing {
       sum += at.area * at.rise * body.loads.body_force(at.place).dot(at.here(z));
     for (const EdgeLoad& load : body.loads.edges) {
       if (std::find(names.begin(), names.end(), load.boundary) == names.end()) continue;
-      sum -= load.pressure * at.area * at.rise * widening;
+      const double share = load.share ? load.share(at.place) : 1;
+      sum -= share * load.pressure * at.area * at.rise * widening;
       if (load.traction) sum += moved_to_curve(at, z, load.traction);
     }
     return sum;

@@ -69,15 +69,28 @@ void read_edge_loads(const Value& value, BodyDraft& draft, const Fill& fill) {
 }
 
 void read_pressure(const Value& value, BodyDraft& draft) {
-  read_edge_loads(value, draft, [](const Value& item, EdgeLoad& load) {
-    take_growing(item, load.pressure, load.history);
+  read_edge_loads(value, draft, [&](const Value& item, EdgeLoad& load) {
+    const Value& own = without_history(item, load.history);
+    if (!varies(own)) return take(own, load.pressure);
+    const Variation variation = read_variation(own, 1, draft.mesh, item.name);
+    load.pressure = largest_size(
+        variation, draft.mesh.nodes(boundary_nodes(draft.mesh, item.name), Eigen::all));
+    load.share = field_of(variation, load.pressure);
+    load.rule = rule_of(variation);
   });
 }
 
 void read_traction(const Value& value, BodyDraft& draft) {
-  read_edge_loads(value, draft, [](const Value& item, EdgeLoad& load) {
+  read_edge_loads(value, draft, [&](const Value& item, EdgeLoad& load) {
+    const Value& own = without_history(item, load.history);
+    if (varies(own)) {
+      const Variation variation = read_variation(own, 2, draft.mesh, item.name);
+      load.traction = [variation](const Vector2d& x) { return Vector2d(variation.at(x)); };
+      load.rule = rule_of(variation);
+      return;
+    }
     Vector2d traction;
-    take_growing(item, traction, load.history);
+    take(own, traction);
     load.traction = constant(traction);
   });
 }
@@ -95,6 +108,8 @@ void read_own_material(const Value& value, BodyDraft& draft) {
 
 void read_temperature(const Value& value, BodyDraft& draft) {
   take_or_table(value, temperature_keys(), draft.temperature.emplace(), &Temperature::uniform);
+  if (const Value* const varying = value.find("varying"))
+    draft.temperature->varying = field_of(read_variation(*varying, 1, draft.mesh, ""));
 }
 
 void read_springs(const Value& value, BodyDraft& draft) {
@@ -229,18 +244,30 @@ void read_layer(const Value& value, BodyDraft& draft) {
   draft.layers.push_back({layer.region, layer});
 }
 
-/// Displacements that are given along a boundary.
+/// Displacements that are given along a boundary, where they stand in the file.
 struct Moved {
-  std::optional<double> x, y;
+  const Value* x = nullptr;
+  const Value* y = nullptr;
   std::string history;
 };
 
+Key<Moved> moved_key(const char* name, const Value* Moved::*member, const char* help) {
+  return {{name, "number, may vary", "length", "", help},
+          [member](const Value& value, Moved& moved) { moved.*member = &value; }};
+}
+
 void read_prescribed(const Value& value, BodyDraft& draft) {
-  static const Keys<Moved> keys = {key("x", &Moved::x, "length", "displacement along x"),
-                                   key("y", &Moved::y, "length", "displacement along y"),
+  static const Keys<Moved> keys = {moved_key("x", &Moved::x, "displacement along x"),
+                                   moved_key("y", &Moved::y, "displacement along y"),
                                    history_key(&Moved::history)};
   each_boundary(value, draft.mesh, [&](const Value& item) {
-    const auto made = [&](Axis axis, double by) { return prescribed(item.name, axis, by); };
+    const auto made = [&](Axis axis, const Value& by) {
+      if (varies(by))
+        return prescribed(item.name, axis, field_of(read_variation(by, 1, draft.mesh, item.name)));
+      double everywhere = 0;
+      take(by, everywhere);
+      return prescribed(item.name, axis, everywhere);
+    };
     for (const Value* const one : item.one_or_several()) {
       Moved moved;
       read_members(*one, keys, moved);
@@ -326,6 +353,10 @@ const Keys<Temperature>& temperature_keys() {
   static const Keys<Temperature> keys = {
       key("uniform", &Temperature::uniform, "temperature", "at the origin"),
       key("gradient", &Temperature::gradient, "temperature/length", "along x and y"),
+      {{"varying", "table", "temperature", "",
+        "what comes on top, over x or y or as a polynomial, "
+        "see values that vary"},
+       [](const Value& /*value*/, Temperature& /*temperature*/) {}},  // by who knows the mesh
       history_key(&Temperature::history)};
   return keys;
 }
@@ -349,10 +380,10 @@ const Keys<BodyDraft>& body_keys() {
       {{"prescribed", "table of boundary = { x, y, history }, or of lists of them", "length", "",
         "given displacements, as { right = { x = 0.1 } }; the other component is free"},
        read_prescribed},
-      {{"pressure", "table of boundary = number, may grow", "force/length^2", "",
+      {{"pressure", "table of boundary = number, may vary and grow", "force/length^2", "",
         "against the body, as { top = 3.6 }; < 0 pulls"},
        read_pressure},
-      {{"traction", "table of boundary = [x, y], may grow", "force/length^2", "",
+      {{"traction", "table of boundary = [x, y], may vary and grow", "force/length^2", "",
         "as { right = [0, -1] }"},
        read_traction},
       {{"spring", "table of boundary = [x, y] >= 0", "force/length^3", "",

@@ -1,4 +1,8 @@
+#include <algorithm>
+
+#include "addons/along/profiles.hpp"
 #include "addons/files/kinds.hpp"
+#include "addons/text/text_reader.hpp"
 
 namespace signorini {
 namespace {
@@ -11,6 +15,61 @@ struct Given {
            shift = Vector2d::Zero();
   double radius = 1, clearance = 0;
 };
+
+/// A profile as points, of the scene or of a file of its own.
+struct Profile {
+  std::vector<Vector2d> points;
+  Vector2d move = Vector2d::Zero();
+  int sources = 0;
+};
+
+void read_points(const Value& value, Profile& profile) {
+  ++profile.sources;
+  if (value.kind != Value::Kind::List)
+    value.fail("expected a list of points [x, y], got ", value.shown());
+  for (const Value& item : value.items) take(item, profile.points.emplace_back());
+}
+
+/// Two numbers in each line, with a blank or a comma between them.
+void read_points_of_file(const Value& value, Profile& profile) {
+  ++profile.sources;
+  constexpr std::size_t largest = std::size_t{1} << 24;
+  std::string name;
+  take(value, name);
+  const std::filesystem::path file = value.origin->folder / name;
+  std::string content = value.explain([&] { return file_content(file, largest); });
+  std::replace(content.begin(), content.end(), ',', ' ');
+  value.explain([&] {
+    TextReader reader(content, file.string());
+    while (reader.next_line()) {
+      const double x = reader.number(reader.word(), "x");
+      const double y = reader.number(reader.word(), "y");
+      reader.expect_end_of_line("y");
+      profile.points.emplace_back(x, y);
+    }
+  });
+}
+
+/// A kind of profiles. \param made  makes one of its points
+Kind<Obstacle> profile_kind(const char* name, const char* help,
+                            Obstacle (*made)(const NodeArray& points)) {
+  const Keys<Profile> keys = {
+      {{"points", "list of [x, y]", "length", "",
+        "from the first to the last, the body on the left: of a floor to the right"},
+       read_points},
+      {{"file", "text", "", "",
+        "in place of points: a file with x and y in each line, in the folder of the scene file"},
+       read_points_of_file},
+      key("move", &Profile::move, "length", "of all points to another place")};
+  return kind_of<Obstacle, Profile>(name, help, keys, [made](const Profile& profile) {
+    require_input(profile.sources == 1, "expected either points or file, got ",
+                  profile.sources == 0 ? "neither" : "both");
+    NodeArray points(profile.points.size(), 2);
+    for (std::size_t k = 0; k < profile.points.size(); ++k)
+      points.row(static_cast<Eigen::Index>(k)) = (profile.points[k] + profile.move).transpose();
+    return made(points);
+  });
+}
 
 Key<Given> centre_key() { return key("centre", &Given::centre, "length", "of the circle"); }
 
@@ -50,7 +109,10 @@ const std::vector<Kind<Obstacle>>& obstacle_kinds() {
                   return s.point.y() - (x - s.point.x()) * (x - s.point.x()) / (2 * s.radius);
                 },
                 [s](double x) { return -(x - s.point.x()) / s.radius; });
-          })};
+          }),
+      profile_kind("polyline", "what lies to the right of straight lines from point to point",
+                   polyline),
+      profile_kind("spline", "what lies to the right of a smooth curve through points", spline)};
   return kinds;
 }
 

@@ -129,6 +129,8 @@ std::string key_reference() {
   add_section(page, "Point", point_keys());
   add_section(page, "Temperature", temperature_keys());
   add_section(page, "Layer", layer_keys());
+  page += "\n### Values that vary: `{ over = ..., table = ... }` or `{ polynomial = ... }`\n\n";
+  add_table(page, varying_keys());
   add_section(page, "Contact: `[[contact]]`", contact_keys());
   add_kinds(page, "Obstacles: `target = { kind = ..., ... }`", obstacle_kinds(), {});
   add_section(page, "Friction", friction_keys());
@@ -136,6 +138,7 @@ std::string key_reference() {
   add_section(page, "Load steps: `[[history]]`", history_keys());
   page += "\n### Load steps: what may grow, as `{ value = ..., history = ... }`\n\n";
   add_table(page, growing_keys());
+  add_section(page, "Probe: `[[probe]]`", probe_keys());
   add_section(page, "Output: `[output]`", output_keys());
   return page;
 }

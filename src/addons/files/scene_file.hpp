@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "addons/along/probe.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/scene/scene.hpp"
 
@@ -14,16 +15,19 @@ namespace signorini {
 
 /// What a scene file asks to be written; an empty name asks for nothing.
 struct Output {
-  std::string vtu;    ///< meshes and fields, for ParaView
-  std::string csv;    ///< the pressure table
-  std::string plot;   ///< a picture of pressure and deformed meshes
-  std::string state;  ///< of the last load step
+  std::string vtu;     ///< meshes and fields, for ParaView
+  std::string csv;     ///< the pressure table
+  std::string plot;    ///< a picture of pressure and deformed meshes
+  std::string state;   ///< of the last load step
+  std::string probes;  ///< the table of what probes read
+  bool ascii = false;  ///< whether numbers of VTU files are text, see VtuNumbers
 };
 
 /// A scene as a file tells it.
 struct SceneFile {
   Scene scene;                             ///< what is to be solved
   Output output;                           ///< what is to be written
+  std::vector<Probe> probes;               ///< where the solution is to be read, none by default
   std::string title;                       ///< one line for people, or empty
   std::string name;                        ///< of the file, for messages
   std::vector<std::size_t> body_lines;     ///< where each body begins, from 1

@@ -119,6 +119,25 @@ void read_target(const Value& value, ContactDraft& contact) {
     contact.target = side_of_several(value, *contact.bodies);
 }
 
+void read_interference(const Value& value, ContactDraft& contact) {
+  double& most = contact.interference.emplace();
+  const Value& own = without_history(value, contact.interference_history);
+  if (!varies(own)) return take(own, most, Bound::NotNegative);
+  const Side& source = contact.source;
+  const Mesh& mesh =
+      std::find_if(contact.bodies->begin(), contact.bodies->end(), [&](const Body& body) {
+        return body.mesh.name == source.body;
+      })->mesh;
+  const Variation variation = read_variation(own, 1, mesh, source.boundary);
+  const NodeArray nodes = mesh.nodes(boundary_nodes(mesh, source.boundary), Eigen::all);
+  for (Eigen::Index k = 0; k < nodes.rows(); ++k)
+    if (const double there = variation.at(nodes.row(k).transpose())(0); there < 0)
+      own.fail("expected a length >= 0 all along the source, got ", there, " at ",
+               in_brackets(nodes.row(k)));
+  most = largest_size(variation, nodes);
+  contact.interference_share = field_of(variation, most);
+}
+
 void read_friction(const Value& value, ContactDraft& contact) {
   Friction& friction = contact.friction.emplace();
   take_or_table(value, friction_keys(), friction, &Friction::coefficient, Bound::NotNegative);
@@ -174,12 +193,9 @@ const Keys<ContactDraft>& contact_keys() {
       {{"friction", "number >= 0 or table", "", "",
         "coefficient of friction; as a table, see friction"},
        read_friction},
-      {{"interference", type_name<double>(Bound::NotNegative) + ", may grow", "length", "",
+      {{"interference", type_name<double>(Bound::NotNegative) + ", may vary and grow", "length", "",
         "by how much more the sides overlap than the meshes say: a press fit"},
-       [](const Value& value, ContactDraft& contact) {
-         take_growing(value, contact.interference.emplace(), contact.interference_history,
-                      Bound::NotNegative);
-       }},
+       read_interference},
       key("adjust", &ContactSpec::adjust, "length",
           "gaps and overlaps of the meshes up to this count as none", Bound::NotNegative),
       {{"operator", "text", "", written(ContactSpec().gap_operator),
@@ -201,9 +217,11 @@ const Keys<ContactDraft>& contact_keys() {
 const Keys<Output>& output_keys() {
   static const Keys<Output> keys = {
       key("vtu", &Output::vtu, "", "file of meshes and fields, for ParaView"),
+      key("ascii", &Output::ascii, "", "whether its numbers are text, in the place of their bytes"),
       key("csv", &Output::csv, "", "file of the pressure table"),
       key("plot", &Output::plot, "", "picture of pressure and deformed meshes, .svg, .png or .pdf"),
-      key("state", &Output::state, "", "of load steps: where they are, for --from")};
+      key("state", &Output::state, "", "of load steps: where they are, for --from"),
+      key("probes", &Output::probes, "", "file of the table of what [[probe]] reads")};
   return keys;
 }
 
@@ -239,6 +257,8 @@ const Keys<SceneDraft>& scene_keys() {
       {{"moves", type_name<bool>(), "", written(Scene().moves),
         "whether pairs are those of bodies where they have moved to, in [[steps]]"},
        read_moves},
+      {{"probe", "table or list of them", "", "", "each a [[probe]], what is read, see probe"},
+       read_probes},
       {{"output", "table", "", "", "what is written, into the working folder, see output"},
        [](const Value& value, SceneDraft& draft) {
          read_members(value, output_keys(), draft.file.output);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "addons/along/variation.hpp"
 #include "addons/files/keys.hpp"
 #include "addons/files/scene_file.hpp"
 
@@ -55,6 +56,18 @@ struct LayerDraft : Material {
   std::vector<double> box = {};  ///< left, bottom, right, top; empty without
 };
 
+/// A probe while it is read.
+struct ProbeDraft {
+  std::string name = {};                     ///< of its own; empty: see read_probes()
+  std::string body = {};                     ///< name of its body; empty: the only one
+  std::optional<Eigen::Vector2d> at = {};    ///< a point
+  std::optional<Eigen::Vector2d> from = {};  ///< begin of a line
+  std::optional<Eigen::Vector2d> to = {};    ///< end of it
+  int points = 11;                           ///< on the line
+  std::string along = {};                    ///< a boundary
+  std::string of = {};                       ///< a boundary
+};
+
 /// \return keys of the head of the file, in the order in which they are read
 [[nodiscard]] const Keys<SceneDraft>& scene_keys();
 /// \return keys of a body, in the order in which they are read
@@ -80,6 +93,11 @@ void read_material(const Value& value, Material& material);
 [[nodiscard]] const std::vector<KeyInfo>& growing_keys();
 /// \return keys of friction, in the order in which they are read
 [[nodiscard]] const Keys<Friction>& friction_keys();
+/// \return keys of a probe, in the order in which they are read
+[[nodiscard]] const Keys<ProbeDraft>& probe_keys();
+/// Reads `[[probe]]`, after `[[body]]`. \param value  of the key \param draft  gets the probes
+/// \throws ProblemError for a place that is not in its body, or a name that another has
+void read_probes(const Value& value, SceneDraft& draft);
 /// \return keys of what is written, in the order in which they are read
 [[nodiscard]] const Keys<Output>& output_keys();
 
@@ -94,6 +112,26 @@ void read_steps(const Value& value, SceneDraft& draft);
 /// \throws ProblemError otherwise, or if there are histories but no steps
 void check_histories(const SceneDraft& draft);
 
+/// \return keys of a value that varies from place to place
+[[nodiscard]] const std::vector<KeyInfo>& varying_keys();
+/// \param value  any \return whether it is a table or a polynomial for what varies from place to place
+[[nodiscard]] bool varies(const Value& value);
+/// Reads what varies from place to place.
+/// \param value       as varies() wants it
+/// \param components  1 of a number, 2 of a vector
+/// \param mesh        of the body
+/// \param boundary    along which it varies; empty: in the body
+/// \return the variation
+/// \throws ProblemError for anything else, or places of a table that do not increase
+[[nodiscard]] Variation read_variation(const Value& value, Eigen::Index components,
+                                       const Mesh& mesh, const std::string& boundary);
+/// Takes `{ value = ..., history = ... }` apart.
+/// \param value    of a key
+/// \param history  receives the name; stays as it is without one
+/// \return what stands under `value`, or the value itself, if it is by itself
+/// \throws ProblemError for a table of other keys
+[[nodiscard]] const Value& without_history(const Value& value, std::string& history);
+
 /// A value that may grow with a history: by itself, or as `{ value = ..., history = ... }`.
 /// \param value    of a key
 /// \param into     receives it
@@ -102,10 +140,7 @@ void check_histories(const SceneDraft& draft);
 /// \throws ProblemError as take()
 template <typename M>
 void take_growing(const Value& value, M& into, std::string& history, Bound bound = Bound::Any) {
-  if (value.kind != Value::Kind::Table) return take(value, into, bound);
-  check_members(value, growing_keys());
-  take(*value.find("value"), into, bound);
-  take(*value.find("history"), history);
+  take(without_history(value, history), into, bound);
 }
 
 /// \param member  gets the name \return the key `history` of a table

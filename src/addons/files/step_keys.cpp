@@ -123,7 +123,7 @@ const Keys<StepsDraft>& steps_keys() {
 
 const std::vector<KeyInfo>& growing_keys() {
   static const std::vector<KeyInfo> keys = {
-      {"value", "number or [x, y]", "", "", "as it would be by itself", true},
+      {"value", "number or [x, y]", "", "", "as it would be by itself, also one that varies", true},
       {"history", "text", "", "", "what it is multiplied by, a name of [[steps]] or [[history]]",
        true}};
   return keys;

@@ -60,9 +60,12 @@ class Sorting {
     for (std::size_t b = 0; b < scene.bodies.size(); ++b) sort_body(b);
     for (std::size_t pair = 0; pair < draft.contact_of.size(); ++pair) {
       const ContactSpec& contact = scene.contacts[draft.contact_of[pair]];
-      if (contact.interference.value_or(0) != 0)
-        find(contact.interference_history).interference(static_cast<Index>(pair)) =
-            *contact.interference;
+      if (contact.interference.value_or(0) == 0) continue;
+      const auto row = static_cast<Index>(pair);
+      double& own = find(contact.interference_history).interference(row);
+      own = *contact.interference;
+      if (contact.interference_share)
+        own *= contact.interference_share(draft.gaps.pairs.position.row(row).transpose());
     }
     for (const ContactSpec& contact : scene.contacts)
       if (contact.interference.value_or(0) != 0) ++entries_[contact.interference_history];

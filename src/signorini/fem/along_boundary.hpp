@@ -12,7 +12,9 @@
 /// divides by this.
 #pragma once
 #include <Eigen/Core>
+#include <functional>
 #include <string>
+#include <vector>
 
 #include "signorini/fem/element.hpp"
 #include "signorini/fem/side_curve.hpp"
@@ -28,17 +30,25 @@ struct BoundaryPoint {
   double weight;            ///< of the Gauss rule: times |tangent| a part of the length [-]
 };
 
-/// Calls a function at the three Gauss points of every side of a boundary, in walking order.
+/// Calls a function at the Gauss points of every side of a boundary, in walking order.
 /// \param mesh   that has the boundary
 /// \param name   of the boundary
 /// \param visit  gets a BoundaryPoint
+/// \param rule   of a side; empty: three points
 /// \throws ProblemError if there is no such boundary, or it has no sides
 template <typename Visit>
-void integrate_boundary(const Mesh& mesh, const std::string& name, Visit&& visit) {
-  for (const SideCurve& side : side_curves(mesh, name))
-    for (const GaussPoint& gauss : gauss_line(3))
+void integrate_boundary(const Mesh& mesh, const std::string& name, Visit&& visit,
+                        const std::function<std::vector<GaussPoint>(const SideCurve&)>& rule = {}) {
+  for (const SideCurve& side : side_curves(mesh, name)) {
+    const auto at = [&](const GaussPoint& gauss) {
       visit(BoundaryPoint{side, side.shape(gauss.xi).value, side.tangent(gauss.xi),
                           side.point(gauss.xi), gauss.weight});
+    };
+    if (rule)
+      for (const GaussPoint& gauss : rule(side)) at(gauss);
+    else
+      for (const GaussPoint& gauss : gauss_line(3)) at(gauss);
+  }
 }
 
 /// What forces add up to, and what they would if nothing cancelled.

@@ -15,12 +15,17 @@
 
 namespace signorini {
 
+/// Where something is integrated along a side: points xi in [-1, 1] whose weights add up to 2.
+using SideRule = std::function<std::vector<GaussPoint>(const SideCurve&)>;
+
 /// Load on one boundary: a pressure against the body plus a traction. \PaperEq{XuanLi2002, 4}
 struct EdgeLoad {
   std::string boundary;      ///< where it acts
   double pressure = 0;       ///< against the body, normal to it [force/length^2]; < 0 pulls
   VectorField traction;      ///< (x, y) components [force/length^2]; none if empty
   std::string history = {};  ///< name of what it grows with, see Path; empty: it is always there
+  ScalarField share = {};    ///< how much of the pressure there is at a place [-]; empty: all of it
+  SideRule rule = {};        ///< where both are integrated; empty: at three Gauss points of a side
 };
 
 /// A force at one place. At a node it acts on that node alone; elsewhere on the edge of a body it is shared

@@ -48,19 +48,25 @@ void add_body_force(const Mesh& mesh, const Element& element, const MaterialFiel
   });
 }
 
+/// A load that varies brings a rule of its own, which ends pieces where the load has a kink or a jump: a Gauss rule across one is
+/// wrong by the square of the length of the side, or by the length itself.
 void add_edge_load(const Mesh& mesh, const Depth& depth, const EdgeLoad& edge, NodeArray& load) {
-  integrate_boundary(mesh, edge.boundary, [&](const BoundaryPoint& at) {
-    const Eigen::Vector2d position = at.point.position();
-    const Eigen::Vector2d inward(-at.tangent.y(), at.tangent.x());  // body on the left
-    Eigen::Vector2d force = edge.pressure * inward;
-    if (edge.traction) force += edge.traction(position) * at.tangent.norm();
-    require_input(force.allFinite(), "load on '", edge.boundary, "' of '", mesh.name,
-                  "': not finite at (", position.x(), ", ", position.y(),
-                  "), but it must be at every point of the boundary");
-    Index k = 0;
-    for (const Index node : at.side.nodes())
-      load.row(node) += depth.at(position.x()) * at.weight * at.N(k++) * force.transpose();
-  });
+  integrate_boundary(
+      mesh, edge.boundary,
+      [&](const BoundaryPoint& at) {
+        const Eigen::Vector2d position = at.point.position();
+        const Eigen::Vector2d inward(-at.tangent.y(), at.tangent.x());  // body on the left
+        Eigen::Vector2d force = edge.pressure * inward;
+        if (edge.share) force *= edge.share(position);
+        if (edge.traction) force += edge.traction(position) * at.tangent.norm();
+        require_input(force.allFinite(), "load on '", edge.boundary, "' of '", mesh.name,
+                      "': not finite at (", position.x(), ", ", position.y(),
+                      "), but it must be at every point of the boundary");
+        Index k = 0;
+        for (const Index node : at.side.nodes())
+          load.row(node) += depth.at(position.x()) * at.weight * at.N(k++) * force.transpose();
+      },
+      edge.rule);
 }
 
 /// The integrals of the shape functions times something along a boundary, in the order of

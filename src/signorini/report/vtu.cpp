@@ -1,8 +1,7 @@
 // # Files for viewers
 //
 // A viewer such as ParaView reads a mesh as arrays: points, the points of each cell, and numbers at
-// points and at cells. A VTU file holds them as text, in digits
-// that anyone can look at, so that two files can be compared line by line:
+// points and at cells. A VTU file names them in text, and has the numbers themselves behind it:
 //
 //     <!-- note: ... -->
 //     <VTKFile type="UnstructuredGrid" ...>
@@ -14,6 +13,8 @@
 //           <Points> ... </Points>
 //           <Cells> connectivity, offsets, types </Cells>
 //         </Piece>
+//       </UnstructuredGrid>
+//       <AppendedData encoding="raw"> _ numbers, byte by byte </AppendedData>
 //
 // Not every reader knows arrays of text. So notes are comments, and a name is that of an array.
 //
@@ -22,13 +23,13 @@
 
 #include "signorini/report/vtu.hpp"
 
-#include <iomanip>
-#include <sstream>
+#include <cstdint>
 #include <utility>
 
 #include "signorini/fem/stress.hpp"
 #include "signorini/report/nodal_fields.hpp"
 #include "signorini/report/results.hpp"
+#include "signorini/report/vtu_arrays.hpp"
 #include "signorini/report/xml.hpp"
 #include "signorini/scene/bodies.hpp"
 
@@ -38,28 +39,7 @@ namespace {
 using Eigen::Index;
 using Rows = FieldRows;
 
-// What an array holds, in the words of VTK.
-const char* const reals = "Float64";
-const char* const wholes = "Int64";
 const std::vector<const char*> stress_parts = {"xx", "yy", "xy", "zz"};
-
-// One data array, a line per row of `values`, filled up with zeros to `components` numbers.
-// A row of numbers is a line, so that a file can be compared with another.
-// VTK knows vectors of three numbers only, so those of the plane get a zero.
-void write_array(std::ostream& out, const char* name, const Rows& values, Index components,
-                 const char* type = reals, const std::vector<const char*>& parts = {}) {
-  out << "        <DataArray type=\"" << type << "\" Name=\"" << name
-      << "\" NumberOfComponents=\"" << components << '"';
-  for (std::size_t k = 0; k < parts.size(); ++k)
-    out << " ComponentName" << k << "=\"" << parts[k] << '"';
-  out << " format=\"ascii\">\n";
-  for (Index row = 0; row < values.rows(); ++row) {
-    for (Index k = 0; k < components; ++k)
-      out << (k == 0 ? "" : " ") << (k < values.cols() ? values(row, k) : 0.0);
-    out << '\n';
-  }
-  out << "        </DataArray>\n";
-}
 
 // Two triangles and a quadrilateral, of the nodes 0 to 5, are
 //
@@ -67,29 +47,25 @@ void write_array(std::ostream& out, const char* name, const Rows& values, Index 
 //
 // Cells of different sizes stand in one list. Offsets say where each ends, types what it is.
 // A triangle is of type 5, a quadrilateral of type 9; with nodes on their sides they are 22 and 23.
-void write_cells(std::ostream& out, const std::vector<BodyModel>& bodies) {
+void write_cells(VtuArrays& out, const std::vector<BodyModel>& bodies) {
   // VTK's numbers for triangles and quadrilaterals.
-  constexpr int linear[] = {5, 9};
-  constexpr int quadratic[] = {22, 23};
-  std::ostringstream nodes, offsets, types;
-  Index end = 0;
+  constexpr std::uint8_t linear[] = {5, 9};
+  constexpr std::uint8_t quadratic[] = {22, 23};
+  std::vector<std::int64_t> nodes, offsets;
+  std::vector<std::uint8_t> types;
   for (const BodyModel& body : bodies)
     for (Index cell = 0; cell < body.mesh.n_cells(); ++cell) {
-      const Index size = body.mesh.cell_size(cell);
       const bool is_linear = body.mesh.order() == MeshOrder::Linear;
-      nodes << (body.mesh.cells.row(cell).head(size).array() + body.first_node) << '\n';
-      offsets << (end += size) << '\n';
-      types << (is_linear ? linear : quadratic)[body.mesh.corners(cell) - 3] << '\n';
+      for (Index k = 0; k < body.mesh.cell_size(cell); ++k)
+        nodes.push_back(body.mesh.cells(cell, k) + body.first_node);
+      offsets.push_back(static_cast<std::int64_t>(nodes.size()));
+      types.push_back((is_linear ? linear : quadratic)[body.mesh.corners(cell) - 3]);
     }
-  const auto write = [&out](const char* type, const char* name, const std::ostringstream& lines) {
-    out << "        <DataArray type=\"" << type << "\" Name=\"" << name
-        << "\" format=\"ascii\">\n" << lines.str() << "        </DataArray>\n";
-  };
-  out << "      <Cells>\n";
-  write("Int64", "connectivity", nodes);
-  write("Int64", "offsets", offsets);
-  write("UInt8", "types", types);
-  out << "      </Cells>\n";
+  out.text() << "      <Cells>\n";
+  out.list("connectivity", nodes);
+  out.list("offsets", offsets);
+  out.list("types", types);
+  out.text() << "      </Cells>\n";
 }
 
 /// \param what  of which they are the names, "body" or "contact"
@@ -150,42 +126,43 @@ Fields fields_of(const Model& model, const Solution& solution) {
 
 // The order is that of the format: what is at points, what is in cells, then points and cells
 // themselves. The attribute `Vectors` names the field that a viewer moves the points by.
-void write_piece(std::ostream& out, const Model& model, const Fields& all,
+void write_piece(VtuArrays& out, const Model& model, const Fields& all,
                  const std::vector<NodalField>& contact) {
-  out << "    <Piece NumberOfPoints=\"" << all.points.rows() << "\" NumberOfCells=\""
-      << all.body.rows() << "\">\n      <PointData Vectors=\"displacement\">\n";
-  write_array(out, "displacement", all.displacement, 3);
-  write_array(out, "stress", all.stress, 4, reals, stress_parts);
-  write_array(out, "von_mises", all.mises, 1);
+  out.text() << "    <Piece NumberOfPoints=\"" << all.points.rows() << "\" NumberOfCells=\""
+             << all.body.rows() << "\">\n      <PointData Vectors=\"displacement\">\n";
+  out.reals("displacement", all.displacement, 3);
+  out.reals("stress", all.stress, 4, stress_parts);
+  out.reals("von_mises", all.mises, 1);
   for (const NodalField& field : contact)
-    write_array(out, field.name.c_str(), field.values, field.values.cols() > 1 ? 3 : 1,
-                field.whole ? wholes : reals);
-  out << "      </PointData>\n      <CellData>\n";
-  write_array(out, "cell_stress", all.cell_stress, 4, reals, stress_parts);
-  if (model.bodies.size() > 1) write_array(out, "body", all.body, 1, wholes);
-  out << "      </CellData>\n      <Points>\n";
-  write_array(out, "points", all.points, 3);
-  out << "      </Points>\n";
+    if (field.whole)
+      out.wholes(field.name.c_str(), field.values);
+    else
+      out.reals(field.name.c_str(), field.values, field.values.cols() > 1 ? 3 : 1);
+  out.text() << "      </PointData>\n      <CellData>\n";
+  out.reals("cell_stress", all.cell_stress, 4, stress_parts);
+  if (model.bodies.size() > 1) out.wholes("body", all.body);
+  out.text() << "      </CellData>\n      <Points>\n";
+  out.reals("points", all.points, 3);
+  out.text() << "      </Points>\n";
   write_cells(out, model.bodies);
-  out << "    </Piece>\n";
+  out.text() << "    </Piece>\n";
 }
 
 }  // namespace
 
-// Nine digits are more than a viewer shows, and keep the files small.
 void write_vtu(const std::filesystem::path& file, const Model& model, const Solution& solution,
-               const std::optional<PathTotals>& totals) {
+               const std::optional<PathTotals>& totals, VtuNumbers numbers) {
   const std::vector<NodalField> contact = nodal_fields(model, solution, totals);
-  std::ostringstream out;
-  out << std::setprecision(9) << "<?xml version=\"1.0\"?>\n";
+  VtuArrays out(numbers);
+  out.text() << "<?xml version=\"1.0\"?>\n";
   for (const std::string& note : solution.notes)
-    out << "<!-- note: " << in_xml_comment(note) << " -->\n";
-  out << "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
-         "byte_order=\"LittleEndian\">\n  <UnstructuredGrid>\n";
-  write_field_data(out, model);
+    out.text() << "<!-- note: " << in_xml_comment(note) << " -->\n";
+  out.text() << "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"" << byte_order()
+             << "\" header_type=\"UInt64\">\n  <UnstructuredGrid>\n";
+  write_field_data(out.text(), model);
   write_piece(out, model, fields_of(model, solution), contact);
-  out << "  </UnstructuredGrid>\n</VTKFile>\n";
-  write_file(file, out.str());
+  out.text() << "  </UnstructuredGrid>\n";
+  write_file(file, out.content());
 }
 
 }  // namespace signorini

@@ -10,8 +10,13 @@
 
 namespace signorini {
 
-/// Writes mesh, displacements, stresses and contact quantities of a solution, all bodies in one piece,
-/// with 9 digits.
+/// How numbers stand in a VTU file.
+enum class VtuNumbers {
+  Binary,  ///< as the machine has them, behind the text of the file: small, and read at once
+  Ascii  ///< as text, with the digits that give back their bits: for people, and for programs that read text
+};
+
+/// Writes mesh, displacements, stresses and contact quantities of a solution, all bodies in one piece, every number to its last bit.
 ///
 /// Point data: `displacement` [length], `stress` (xx, yy, xy, zz: across the plane, in axial symmetry the hoop
 /// stress) and `von_mises` [force/length^2, tension positive]; at the nodes of the sources, and 0 everywhere else,
@@ -29,9 +34,11 @@ namespace signorini {
 /// \param model     that was solved
 /// \param solution  of it
 /// \param totals    after this step of a path, see totals(); nothing: the solution is no step
+/// \param numbers   how they are written
 /// \throws std::invalid_argument if the problem is not solved, or the totals are of another number of slips
 /// \throws ProblemError if the file cannot be written
 void write_vtu(const std::filesystem::path& file, const Model& model, const Solution& solution,
-               const std::optional<PathTotals>& totals = {});
+               const std::optional<PathTotals>& totals = {},
+               VtuNumbers numbers = VtuNumbers::Binary);
 
 }  // namespace signorini

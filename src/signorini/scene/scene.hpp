@@ -29,11 +29,14 @@ struct Temperature {
   double uniform = 0;                                  ///< at the origin [temperature]
   Eigen::Vector2d gradient = Eigen::Vector2d::Zero();  ///< [temperature/length]
   std::string history = {};  ///< name of what it grows with, see Path; empty: it is always there
+  ScalarField varying = {};  ///< what comes on top of it [temperature]; none if empty
 
   /// \param x  a place [length] \return how much warmer it is there [temperature]
-  [[nodiscard]] double at(const Eigen::Vector2d& x) const { return uniform + gradient.dot(x); }
+  [[nodiscard]] double at(const Eigen::Vector2d& x) const {
+    return uniform + gradient.dot(x) + (varying ? varying(x) : 0);
+  }
   /// \return whether it is not zero everywhere
-  [[nodiscard]] bool nonzero() const { return uniform != 0 || (gradient.array() != 0).any(); }
+  [[nodiscard]] bool nonzero() const { return varying || uniform != 0 || !gradient.isZero(0); }
 };
 
 /// Springs between a body and the ground, at rest where nothing moves.
@@ -72,6 +75,7 @@ struct ContactSpec {
   std::optional<Friction> friction = {};         ///< none by default
   /// Everywhere on the source, the sides overlap by so much more than the meshes say [length]: a press fit.
   std::optional<double> interference = {};
+  ScalarField interference_share = {};  ///< how much of it there is at a place [-]; empty: all
   /// Name of what the interference grows with, see Path; empty: it is always there.
   std::string interference_history = {};
   /// Gaps and overlaps of the meshes up to this are none [length]: nodes are moved there without strain.
