@@ -1,6 +1,7 @@
 #include "addons/files/scene_keys.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <set>
 #include <utility>
 
@@ -112,6 +113,24 @@ void read_contact(const Value& value, SceneDraft& draft) {
   draft.file.contact_lines.push_back(value.line);
 }
 
+void read_tie(const Value& value, SceneDraft& draft) {
+  TieDraft tie;
+  tie.bodies = &draft.file.scene.bodies;
+  read_members(value, tie_keys(), tie);
+  check_choices(value, tie);
+  if (tie.friction && !tie.slides)
+    value.find("friction")->fail("sides that are tied do not slide: add slides = true, or leave it out");
+  if (tie.friction) {
+    draft.bonds.two_sided.push_back(draft.file.scene.contacts.size());
+    draft.file.scene.contacts.push_back(tie);
+    draft.file.contact_lines.push_back(value.line);
+  } else {
+    draft.bonds.ties.push_back({tie, tie.slides});
+    draft.file.tie_lines.push_back(value.line);
+  }
+  draft.file.scene.bonds = std::make_shared<const Bonds>(draft.bonds);
+}
+
 void read_target(const Value& value, ContactDraft& contact) {
   if (value.kind == Value::Kind::Table)
     contact.target = read_obstacle(value);
@@ -198,6 +217,19 @@ const Keys<ContactDraft>& contact_keys() {
   return keys;
 }
 
+const Keys<TieDraft>& tie_keys() {
+  static const Keys<TieDraft> keys = [] {
+    Keys<TieDraft> made;
+    for (const Key<ContactDraft>& key : contact_keys())
+      if (key.name != "interference" && key.name != "small_sliding")
+        made.emplace_back(key);
+    made.push_back(key("slides", &TieDraft::slides, "",
+                       "whether the source may slide along the target; it never lifts off"));
+    return made;
+  }();
+  return keys;
+}
+
 const Keys<Output>& output_keys() {
   static const Keys<Output> keys = {
       key("vtu", &Output::vtu, "", "file of meshes and fields, for ParaView"),
@@ -227,6 +259,8 @@ const Keys<SceneDraft>& scene_keys() {
       {{"contact", "table or list of them", "", "",
         "what may touch, each a [[contact]], see contact"},
        each_item(read_contact)},
+      {{"tie", "table or list of them", "", "", "what holds together, each a [[tie]], see tie"},
+       each_item(read_tie)},
       {{"history", "table or list of them", "", "",
         "each a [[history]], what loads grow with if steps do not say it, see load steps"},
        read_histories},

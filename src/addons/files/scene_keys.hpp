@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "addons/equations/bonds.hpp"
 #include "addons/files/keys.hpp"
 #include "addons/files/scene_file.hpp"
 
@@ -17,6 +18,7 @@ struct SceneDraft {
   const Value* root = nullptr;            ///< the whole text
   std::optional<Material> material = {};  ///< of the bodies that have none of their own
   bool material_used = false;             ///< whether there is such a body
+  Bonds bonds = {};                       ///< those read so far
   std::vector<History> histories = {};    ///< of load steps
   std::vector<const Value*> places = {};  ///< where each of them stands in the text
 };
@@ -30,6 +32,11 @@ struct BodyDraft : Body {
 /// A contact while it is read.
 struct ContactDraft : ContactSpec {
   std::vector<Body>* bodies = nullptr;  ///< of the scene; get boundaries that are made of several
+};
+
+/// A tie while it is read.
+struct TieDraft : ContactDraft {
+  bool slides = false;  ///< see Tie
 };
 
 /// What acts at one point of a body.
@@ -72,6 +79,8 @@ void read_material(const Value& value, Material& material);
 [[nodiscard]] const Keys<Temperature>& temperature_keys();
 /// \return keys of a contact, in the order in which they are read
 [[nodiscard]] const Keys<ContactDraft>& contact_keys();
+/// \return keys of a tie, in the order in which they are read
+[[nodiscard]] const Keys<TieDraft>& tie_keys();
 /// \return keys of a history, in the order in which they are read
 [[nodiscard]] const Keys<History>& history_keys();
 /// \return keys of some load steps, in the order in which they are read

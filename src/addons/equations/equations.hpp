@@ -1,0 +1,93 @@
+// This header is internal: chapters do not include it, and it is not installed.
+/// \file
+/// Equations between displacement components, solved for one unknown each.
+#pragma once
+#include <Eigen/SparseCore>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "addons/equations/eliminate.hpp"
+#include "signorini/scene/ways.hpp"
+
+namespace signorini {
+
+struct Tie;
+
+/// A row that holds with =: the sum of coefficients times displacement components is `right`.
+struct Equation {
+  /// Component of a node, 2 * node + axis with the nodes of all bodies one after another, and its coefficient [-].
+  std::vector<std::pair<Eigen::Index, double>> terms = {};
+  double right = 0;        ///< [length]
+  double rounding = 0;     ///< of `right` [length]
+  Eigen::Index own = -1;   ///< component to solve it for; -1: any
+  Eigen::Index pair = -1;  ///< of its bond, of whose rows it is a combination; -1: none
+  double opening = 0;      ///< how much of the row of the gap is in it
+  double sliding = 0;      ///< and of that of the slip
+};
+
+/// Equations of one origin.
+struct Bond {
+  std::string name;        ///< as tables have it, such as "upper.bottom to lower.top"
+  std::string what;        ///< as messages have it
+  Pairs pairs = {};        ///< of a tie
+  std::size_t first = 0;   ///< of its equations
+  std::size_t behind = 0;  ///< the one behind its last
+};
+
+/// The equations of a plan.
+struct Equations {
+  std::vector<Bond> bonds = {};     ///< in the order of the scene
+  std::vector<Equation> rows = {};  ///< `m` of all bonds
+  NodalRows matrix = {};            ///< C `m x 2 n_nodes` of the terms
+  Eliminated solved = {};           ///< for unknowns
+  std::vector<Eigen::Index> two_sided = {};  ///< pairs that never lift off, increasing
+};
+
+/// What a bond carries in sum.
+struct BondForces {
+  std::string name;                                 ///< of the bond
+  Eigen::Vector2d force = Eigen::Vector2d::Zero();  ///< on the source [force]
+  double moment = 0;                                ///< of it about the origin [force length]
+  double least_pressure = 0;    ///< of a pair [force/length^2], tension < 0
+  double largest_pressure = 0;  ///< of a pair [force/length^2], compression > 0
+  double largest_shear = 0;     ///< magnitude, of a pair [force/length^2]
+};
+
+/// \param model     that was solved, with equations
+/// \param solution  of it, Solved
+/// \return the sums of each bond that has sides
+[[nodiscard]] std::vector<BondForces> bond_forces(const Model& model, const Solution& solution);
+
+/// Writes the equations of a tie. \param tie  of the scene \param draft  knows bodies and supports
+/// \param all  gets a bond and its rows
+/// \throws ProblemError for sides that cannot be paired, or an operator whose pairs are no nodes
+void add_tie(const Tie& tie, Plan& draft, Equations& all);
+
+/// Takes equations into K, p, A and g of a model, in whose place they then hold for every u that has the least energy.
+///
+/// With \f$ u_e = R u + s \f$ the energy of all others is that of \f$ T u + s \f$, T being 1 but for the rows R, and
+/// a spring on \f$ u_e - R u - s \f$ makes the eliminated unknowns what the equations say: at the minimum it is at rest.
+/// \param model  whose effects have all added what they have
+void take_equations(Model& model);
+
+/// Motions that equations leave of those that supports leave.
+/// \param modes   `n_r` rigid motions \param free  C on the unknowns `m x n` \param solved  the same
+/// \return independent combinations, whose eliminated unknowns are exactly what the others say
+[[nodiscard]] std::vector<FreeMotion> motions_left(std::vector<FreeMotion> modes,
+                                                   const NodalRows& free,
+                                                   const Eliminated& solved);
+
+/// Solves a model whose pairs may not all lift off, by solutions of models in which each of them presses from one of two sides.
+/// \param way  of one solution; the others are those of solve()
+/// \return the solution; one without pairs that never lift off is that of the way
+[[nodiscard]] Solution solve_two_sided(SolveCondensed way, const Model& model,
+                                       const Condensed& condensed, const Solver& solver,
+                                       Ledger ledger, const SolverOptions& options);
+
+/// Measures what is left of the equations of a solution, and finds their forces.
+/// \param model  that was solved \param condensed  from condense() of it
+/// \param solution  Solved; gets `equation_force` and `bond_forces`, and is withdrawn if its certificate no longer holds
+void judge_equations(const Model& model, const Condensed& condensed, Solution& solution);
+
+}  // namespace signorini
