@@ -112,10 +112,13 @@ void print_bonds(std::ostream& out, const Model& model, const Solution& solution
   if (!model.equations) return;
   const bool axial = is_axial(model.bodies[0]);
   for (const BondForces& sum : bond_forces(model, solution)) {
-    out << "bond " << sum.name << ": force on the source " << force_in_words(sum.force, axial);
+    out << "bond " << sum.name << ": force on the " << (sum.has_sides ? "source " : "first side ")
+        << force_in_words(sum.force, axial);
     if (!axial) out << ", moment about the origin " << sum.moment;
-    out << ", pressure " << sum.least_pressure << " to " << sum.largest_pressure << ", shear up to "
-        << sum.largest_shear << '\n';
+    if (sum.has_sides)
+      out << ", pressure " << sum.least_pressure << " to " << sum.largest_pressure
+          << ", shear up to " << sum.largest_shear;
+    out << '\n';
   }
 }
 
@@ -124,9 +127,13 @@ void write_bonds(Json& json, const Model& model, const Solution& solution) {
   json.key("bonds").array();
   for (const BondForces& sum : bond_forces(model, solution)) {
     json.object().key("name").value(sum.name).key("force").value(Eigen::VectorXd(sum.force));
-    json.key("moment").value(sum.moment).key("least_pressure").value(sum.least_pressure);
-    json.key("largest_pressure").value(sum.largest_pressure);
-    json.key("largest_shear").value(sum.largest_shear).end();
+    json.key("moment").value(sum.moment);
+    if (sum.has_sides) {
+      json.key("least_pressure").value(sum.least_pressure);
+      json.key("largest_pressure").value(sum.largest_pressure);
+      json.key("largest_shear").value(sum.largest_shear);
+    }
+    json.end();
   }
   json.end();
 }

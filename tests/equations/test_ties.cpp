@@ -193,6 +193,17 @@ TEST_CASE("a beam of two bodies bends as one", "[ties]") {
   }
 }
 
+// A quadratic side whose edges each face two dozen: hundreds of small entries, of which none may be lost.
+TEST_CASE("a tie of a coarse side with a fine one is as exact as any", "[ties]") {
+  Scene scene = stack("q8");
+  scene.bodies[0].mesh = block_of("q8", "lower", {0, 0}, {6, 2}, 220, 1);
+  scene.bodies[1].mesh = block_of("q8", "upper", {0, 2}, {6, 2}, 9, 1);
+  load_uniformly({1, 2, 0.5}, 0, scene);
+  const SolvedScene run = solved(scene, "the stack");
+  CHECK(stress_error(run, {1, 2, 0.5}) <= 1e-11);
+  CHECK(run.solution.certificate.penetration <= 1e-13);
+}
+
 // Two bars of length 2 between two walls, 0.01 apart: closed, they are stretched by that over the length 4.
 TEST_CASE("a gap of a tie is closed, or counts as none", "[ties]") {
   for (const std::string& element : all_elements) {

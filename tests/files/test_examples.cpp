@@ -5,7 +5,6 @@
 #include <numeric>
 #include <sstream>
 
-#include "addons/equations/equations.hpp"
 #include "addons/files/problem_file.hpp"
 #include "addons/files/scene_file.hpp"
 #include "addons/steps/steps.hpp"
@@ -189,21 +188,6 @@ TEST_CASE("the bolt of the examples is pressed as by a long tube", "[scene_file]
 }
 
 // Along a track that hardly gives way friction is mu times the pressure, over however many edges.
-// Kept from bending, both layers stretch by the same e: with E' = E / (1 - nu^2) and the free strain s = (1 + nu) alpha T of the
-// coating, E1' h1 e = E2' h2 (s - e), and that force pulls at the line of symmetry of the base. The free
-// end is four heights of that half of a strip away, which leaves exp(-2.1 * 4) = 2e-4 of what it changes.
-TEST_CASE("the coating of the examples pushes as that of a long strip",
-          "[scene_file][examples]") {
-  const SolvedScene run = run_of("glued_layers");
-  const double base = 2.1e5 / (1 - 0.3 * 0.3) * 8;
-  const double coating = 7e4 / (1 - 0.33 * 0.33) * 2;
-  const double push = base * coating / (base + coating) * 1.33 * 2.3e-5 * 100;
-  const std::vector<BondForces> sums = bond_forces(run.model, run.solution);
-  REQUIRE(sums.size() == 1);
-  CHECK(sums[0].force.x() == Approx(-push).epsilon(2e-4));
-  CHECK(sums[0].force.y() == Approx(0).margin(1e-9 * push));
-}
-
 TEST_CASE("the dragged block of the examples moves, at mu times its force", "[scene_file][examples]") {
   const SceneFile file = read_scene(root / "examples" / "dragged_block.toml");
   const PathEnd end = solve_steps(file.scene, [&](const Model& model, const Step& step) {

@@ -38,18 +38,6 @@ NodalRows matrix_of(const std::vector<Equation>& rows, Index components) {
   return matrix;
 }
 
-/// The columns of unknowns.
-NodalRows free_columns(const NodalRows& rows, const Unknowns& unknowns) {
-  std::vector<Eigen::Triplet<double>> entries;
-  for (Index row = 0; row < rows.rows(); ++row)
-    for (NodalRows::InnerIterator it(rows, row); it; ++it)
-      if (const Index unknown = unknowns.number(it.col() / 2, it.col() % 2); unknown >= 0)
-        entries.emplace_back(static_cast<int>(row), static_cast<int>(unknown), it.value());
-  NodalRows free(rows.rows(), unknowns.count);
-  free.setFromTriplets(entries.begin(), entries.end());
-  return free;
-}
-
 const Bond& bond_of(const Equations& all, Index row) {
   for (const Bond& bond : all.bonds)
     if (at(row) < bond.behind) return bond;
@@ -62,6 +50,17 @@ std::string in_words(const Equations& all, Index row, const Plan& draft) {
   const BodyModel& body = draft.bodies[body_of_node(draft.bodies, node)];
   const Eigen::RowVector2d x = body.mesh.nodes.row(node - body.first_node);
   return text(bond_of(all, row).what, " at ", in_brackets(x), " of '", body.mesh.name, '\'');
+}
+
+/// Those that repeat others: supports may say all of an equation, as on a line of symmetry that two bodies share.
+void note_repeated(const Equations& all, const NodalRows& free, Plan& draft) {
+  std::vector<Index> twice;
+  for (const Index row : all.solved.repeated)
+    if (NodalRows::InnerIterator(free, row)) twice.push_back(row);
+  if (!twice.empty())
+    draft.notes.push_back(text(twice.size(), " of ", all.held.size(),
+                               " equations say what others say, and are left out; the first: ",
+                               in_words(all, twice.front(), draft)));
 }
 
 /// Solves the equations for unknowns, refuses those that contradict others, and notes those that repeat them.
@@ -78,17 +77,15 @@ void solve_rows(Plan& draft, Equations& all) {
     right(k) = row.right - given(k);
     rounding(k) = row.rounding + 64 * epsilon * far;
     own.push_back(row.own < 0 ? -1 : draft.unknowns.number(row.own / 2, row.own % 2));
+    if (!row.stiffness) all.held.push_back(k);
   }
-  all.solved = eliminate(free_columns(all.matrix, draft.unknowns), right, rounding, own);
+  const NodalRows free = free_columns(all.matrix, draft.unknowns);
+  all.solved = eliminate(free, right, rounding, own, all.held);
   const std::vector<Index>& wrong = all.solved.contradicting;
   require_input(wrong.empty(), wrong.size(), " equations contradict others or supports, the first: ",
                 wrong.empty() ? "" : in_words(all, wrong.front(), draft),
                 ". Leave out one of those that hold the same displacement");
-  const std::vector<Index>& twice = all.solved.repeated;
-  if (!twice.empty())
-    draft.notes.push_back(text(twice.size(), " of ", count,
-                               " equations say what others or supports say, and are left out; the first: ",
-                               in_words(all, twice.front(), draft)));
+  note_repeated(all, free, draft);
 }
 
 /// The pairs of contacts that never lift off.
@@ -108,6 +105,10 @@ void declare_equations(const Scene& scene, Plan& draft) {
   check_bonds(scene);
   const auto all = std::make_shared<Equations>();
   for (const Tie& tie : scene.bonds->ties) add_tie(tie, draft, *all);
+  std::size_t number = 0;
+  for (const Relation& relation : scene.bonds->relations)
+    add_relation(relation, ++number, draft, *all);
+  for (const RigidSide& rigid : scene.bonds->rigid) add_rigid(rigid, draft, *all);
   all->matrix = matrix_of(all->rows, 2 * count_nodes(draft.bodies));
   solve_rows(draft, *all);
   add_two_sided(*scene.bonds, draft, *all);
@@ -119,11 +120,23 @@ void declare_equations(const Scene& scene, Plan& draft) {
 
 }  // namespace
 
+NodalRows free_columns(const NodalRows& rows, const Unknowns& unknowns) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Index row = 0; row < rows.rows(); ++row)
+    for (NodalRows::InnerIterator it(rows, row); it; ++it)
+      if (const Index unknown = unknowns.number(it.col() / 2, it.col() % 2); unknown >= 0)
+        entries.emplace_back(static_cast<int>(row), static_cast<int>(unknown), it.value());
+  NodalRows free(rows.rows(), unknowns.count);
+  free.setFromTriplets(entries.begin(), entries.end());
+  return free;
+}
+
 void register_equations() {
   add_effect({"equations",
               [](const Scene& scene, const Plan& /*draft*/) {
-                return scene.bonds &&
-                       !(scene.bonds->ties.empty() && scene.bonds->two_sided.empty());
+                const Bonds* const bonds = scene.bonds.get();
+                return bonds != nullptr && !(bonds->ties.empty() && bonds->two_sided.empty() &&
+                                             bonds->relations.empty() && bonds->rigid.empty());
               },
               declare_equations, nullptr},
              "rigid motions");

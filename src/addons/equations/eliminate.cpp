@@ -6,6 +6,7 @@
 #include <set>
 
 #include "signorini/core/index.hpp"
+#include "signorini/core/rounding.hpp"
 
 namespace signorini {
 namespace {
@@ -13,8 +14,12 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// Beside the largest entry that was added up, less than this is what rounding leaves of a zero.
+/// Beside the largest entry that was added up, a row whose entries are all less than this says nothing new.
 constexpr double nothing = 1e-12;
+
+/// And less than this is what rounding leaves of one entry that cancels. What is left out makes an error of this size: it must
+/// be far below what a certificate lets pass.
+constexpr double cancelled = 8 * epsilon;
 
 /// Beside the largest entry of a row, less than this changes no digit of what the row gives: the entries of mortar rows on
 /// sides with middle nodes die away like this, and would join all nodes of the side.
@@ -122,16 +127,17 @@ NodalRows matrix(const std::vector<Row>& rows, Sum Row::*part, Index columns) {
 }  // namespace
 
 Eliminated eliminate(const NodalRows& rows, const VectorXd& right, const VectorXd& rounding,
-                     const std::vector<Index>& own) {
+                     const std::vector<Index>& own, const std::vector<Index>& which) {
   Elimination solved(rows.cols());
   Eliminated all;
-  for (Index k = 0; k < rows.rows(); ++k) {
+  for (const Index k : which) {
     Row row;
     row.right[k] = 1;
     for (NodalRows::InnerIterator entry(rows, k); entry; ++entry)
       if (entry.value() != 0) row.terms[entry.col()] = entry.value();
-    drop(nothing * solved.reduce(row), row.terms);
-    if (!row.terms.empty()) {
+    const double most = solved.reduce(row);
+    if (largest_of(row.terms) > nothing * most) {
+      drop(cancelled * most, row.terms);
       solved.solve(row, pivot_of(row.terms, own[at(k)]));
       continue;
     }

@@ -24,9 +24,11 @@ struct Eliminated {
 /// \param right     h `m`
 /// \param rounding  `m` by how much each entry of h may be wrong
 /// \param own       `m` unknowns that rows name, or -1
+/// \param which     numbers of the rows that are equations
 /// \return the solved form
 [[nodiscard]] Eliminated eliminate(const NodalRows& rows, const Eigen::VectorXd& right,
                                    const Eigen::VectorXd& rounding,
-                                   const std::vector<Eigen::Index>& own);
+                                   const std::vector<Eigen::Index>& own,
+                                   const std::vector<Eigen::Index>& which);
 
 }  // namespace signorini

@@ -47,14 +47,29 @@ class Taking {
         all_(*model.equations),
         T_(rows_of(all_.solved, model.unknowns.count, false)),
         E_(rows_of(all_.solved, model.unknowns.count, true)),
-        springs_(VectorXd(model.programme.stiffness.diagonal())(all_.solved.unknown)) {}
+        C_(free_columns(all_.matrix, model.unknowns)),
+        stiffness_(static_cast<Index>(all_.rows.size())),
+        pushes_(VectorXd::Zero(model.unknowns.count)) {
+    for (Index k = 0; k < stiffness_.size(); ++k)
+      stiffness_(k) = all_.rows[at(k)].stiffness.value_or(0);
+    Sparse& K = model.programme.stiffness;
+    if (stiffness_.size() > static_cast<Index>(all_.held.size()))
+      K += symmetric(Sparse(C_.transpose()) * Sparse(stiffness_.asDiagonal() * C_));
+    springs_ = VectorXd(K.diagonal())(all_.solved.unknown);
+    for (const auto& [component, force] : all_.loads)
+      if (const Index k = model.unknowns.number(component / 2, component % 2); k >= 0)
+        pushes_(k) += force;
+  }
 
   /// Changes p and g. \param right  h `m` \param load  p \param movement  g
-  void take(const VectorXd& right, VectorXd& load, VectorXd& movement) const {
+  /// \param pushed  whether p has what drives rigid sides
+  void take(const VectorXd& right, bool pushed, VectorXd& load, VectorXd& movement) const {
     const QuadraticProgramme& programme = model_.programme;
     const VectorXd given = all_.solved.right * right;
     VectorXd shift = VectorXd::Zero(load.size());
     shift(all_.solved.unknown) = given;
+    if (pushed) load += pushes_;
+    load += C_.transpose() * stiffness_.cwiseProduct(right);
     const VectorXd rest = load - programme.stiffness * shift;
     load = T_.transpose() * rest + E_.transpose() * springs_.cwiseProduct(given);
     movement -= programme.A * shift;
@@ -79,7 +94,10 @@ class Taking {
   Model& model_;
   const Equations& all_;
   Sparse T_, E_;
-  VectorXd springs_;
+  NodalRows C_;         // on the unknowns
+  VectorXd stiffness_;  // of rows that are springs
+  VectorXd pushes_;     // p of what drives rigid sides
+  VectorXd springs_;    // on the differences of eliminated unknowns from what the equations say
 };
 
 }  // namespace
@@ -89,7 +107,7 @@ void take_equations(Model& model) {
   VectorXd constant(static_cast<Index>(model.equations->rows.size()));
   for (Index k = 0; k < constant.size(); ++k) constant(k) = model.equations->rows[at(k)].right;
   QuadraticProgramme& programme = model.programme;
-  taking.take(constant + taking.right_of(model.unknowns.held), programme.load,
+  taking.take(constant + taking.right_of(model.unknowns.held), true, programme.load,
               programme.initial_gap);
   for (LoadPart& part : model.parts) {
     NodeArray held(count_nodes(model.bodies), 2);
@@ -97,7 +115,7 @@ void take_equations(Model& model) {
       held.middleRows(model.bodies[b].first_node, part.held[b].rows()) = part.held[b];
     VectorXd right = taking.right_of(held);
     if (part.history.empty()) right += constant;
-    taking.take(right, part.load, part.movement);
+    taking.take(right, part.history.empty(), part.load, part.movement);
   }
   taking.take_matrices();
 }

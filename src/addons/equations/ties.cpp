@@ -19,7 +19,7 @@ using Eigen::Index;
 using Eigen::Vector2d;
 
 /// Of a row that is a combination, what is left of entries that cancel.
-constexpr double cancelled = 1e-14;
+constexpr double left_over = 1e-14;
 
 bool held(const Plan& draft, Index component) {
   return draft.unknowns.number(component / 2, component % 2) < 0;
@@ -33,7 +33,7 @@ Equation combined(const Pairs& pairs, const NodalRows& slips, Index pair, double
   const double most = row.nonZeros() > 0 ? row.coeffs().abs().maxCoeff() : 0;
   Equation equation;
   for (Eigen::SparseVector<double>::InnerIterator entry(row); entry; ++entry)
-    if (std::abs(entry.value()) > cancelled * most)
+    if (std::abs(entry.value()) > left_over * most)
       equation.terms.emplace_back(entry.index(), entry.value());
   equation.right = -opening * pairs.initial_gap(pair);
   equation.rounding = (std::abs(opening) + std::abs(sliding)) * gap_rounding(pairs);
@@ -61,7 +61,7 @@ std::vector<Equation> rows_of(const Pairs& pairs, const NodalRows& slips, Index 
   if (slides) {
     rows.push_back(combined(pairs, slips, pair, 1, 0));
     const int across = std::abs(n.y()) >= std::abs(n.x()) ? 1 : 0;
-    const bool other = held(draft, 2 * node + across) && std::abs(n(1 - across)) > cancelled;
+    const bool other = held(draft, 2 * node + across) && std::abs(n(1 - across)) > left_over;
     rows.back().own = 2 * node + (other ? 1 - across : across);
     return rows;
   }
@@ -110,28 +110,45 @@ std::string name_of(const Tie& tie, const Plan& draft) {
   return name.replace(name.find(" on "), 4, tie.slides ? " along " : " to ");
 }
 
+/// Springs along the normal and along the tangent of each pair, at rest as the meshes are.
+void add_springs(const Vector2d& stiffness, const Bond& bond, const NodalRows& slips,
+                 std::vector<Equation>& rows) {
+  require_input(stiffness.allFinite() && stiffness.minCoeff() >= 0, bond.what,
+                ": a stiffness must be a number >= 0, got (", stiffness.x(), ", ", stiffness.y(), ')');
+  for (Index pair = 0; pair < bond.pairs.weight.size(); ++pair)
+    for (const int across : {0, 1}) {
+      if (stiffness(across) == 0) continue;
+      rows.push_back(combined(bond.pairs, slips, pair, 1 - across, across));
+      rows.back().right = 0;
+      rows.back().stiffness = stiffness(across) * bond.pairs.weight(pair);
+    }
+}
+
 }  // namespace
 
 void add_tie(const Tie& tie, Plan& draft, Equations& all) {
   Bond bond;
-  bond.what = describe(draft.bodies, tie.sides).replace(0, 7, tie.slides ? "sliding tie" : "tie");
+  bond.what = describe(draft.bodies, tie.sides)
+                  .replace(0, 7, tie.stiffness ? "elastic tie" : tie.slides ? "sliding tie" : "tie");
   bond.name = name_of(tie, draft);
   bond.pairs = pair_up(tie.sides, draft.bodies, false, nullptr);
   check_tie(tie.sides, bond.what, bond.pairs);
   check_obstacle_side(tie.sides, draft.bodies, bond.pairs);
-  close_gaps(tie.sides, bond.what, bond.pairs, draft);
+  if (!tie.stiffness) close_gaps(tie.sides, bond.what, bond.pairs, draft);
   note_unpaired(bond.what, bond.pairs, draft);
   const NodalRows slips = turned(bond.pairs.opening);
   const Index first_node = draft.bodies[body_index(draft.bodies, tie.sides.source)].first_node;
   bond.first = all.rows.size();
-  for (Index pair = 0; pair < bond.pairs.initial_gap.size(); ++pair) {
+  if (tie.stiffness) add_springs(*tie.stiffness, bond, slips, all.rows);
+  for (Index pair = 0; pair < bond.pairs.initial_gap.size() && !tie.stiffness; ++pair) {
     const Index node = first_node + bond.pairs.node[at(pair)];
     for (Equation& row : rows_of(bond.pairs, slips, pair, node, draft, tie.slides))
       if (!between_supports(draft, row, row.own)) all.rows.push_back(std::move(row));
   }
   bond.behind = all.rows.size();
   const bool rigid = std::holds_alternative<Obstacle>(tie.sides.target);
-  draft.on.push_back(text(bond.what, ": ", bond.behind - bond.first, " equations",
+  draft.on.push_back(text(bond.what, ": ", bond.behind - bond.first,
+                          tie.stiffness ? " springs" : " equations",
                           rigid ? std::string() : " by " + tie.sides.gap_operator));
   all.bonds.push_back(std::move(bond));
 }

@@ -138,6 +138,9 @@ std::string key_reference() {
   add_kinds(page, "Obstacles: `target = { kind = ..., ... }`", obstacle_kinds(), {});
   add_section(page, "Friction", friction_keys());
   add_section(page, "Tie: `[[tie]]`", tie_keys());
+  add_section(page, "Relation: `[[relation]]`", relation_keys());
+  add_section(page, "Relation: `terms`", term_keys());
+  add_section(page, "Rigid side: `[[rigid]]`", rigid_keys());
   add_section(page, "Load steps: `[[steps]]`", steps_keys());
   add_section(page, "Load steps: `[[history]]`", history_keys());
   page += "\n### Load steps: what may grow, as `{ value = ..., history = ... }`\n\n";

@@ -1,7 +1,6 @@
 #include "addons/files/scene_keys.hpp"
 
 #include <algorithm>
-#include <memory>
 #include <set>
 #include <utility>
 
@@ -18,23 +17,6 @@ const std::vector<Word<Quadrature>> words_of<Quadrature> = {
     {"segments", Quadrature::Segments}, {"source edges", Quadrature::SourceEdges}};
 
 namespace {
-
-/// A boundary as BODY.BOUNDARY; of the only body also as BOUNDARY.
-Side side_of(const Value& value, const std::vector<Body>& bodies) {
-  std::string word;
-  take(value, word);
-  std::vector<std::string> known;
-  for (const Body& body : bodies)
-    for (const auto& [name, sides] : body.mesh.boundaries) {
-      const std::string full = body.mesh.name + "." + name;
-      if (word == full || (bodies.size() == 1 && word == name)) {
-        if (sides.empty()) value.fail("the boundary ", in_quotes(word), " is empty");
-        return {name, body.mesh.name};
-      }
-      known.push_back(bodies.size() == 1 ? name : full);
-    }
-  value.fail("there is no boundary ", in_quotes(word), suggestion(word, known));
-}
 
 /// One boundary, or one that is made of several of a body, and called by all of their names.
 Side side_of_several(const Value& value, std::vector<Body>& bodies) {
@@ -88,22 +70,6 @@ void read_bodies(const Value& value, SceneDraft& draft) {
   if (draft.file.scene.bodies.empty()) value.fail("a scene needs at least one body");
 }
 
-/// Refuses choices that nothing asks for.
-void check_choices(const Value& value, const ContactSpec& contact) {
-  const bool rigid = std::holds_alternative<Obstacle>(contact.target);
-  const GapOperator& gap_operator = find_gap_operator(contact.gap_operator);
-  const auto refuse = [&](const char* name, bool taken) {
-    const Value* const choice = value.find(name);
-    if (choice == nullptr || (!rigid && taken)) return;
-    choice->fail("has no meaning ",
-                 rigid ? "beside a rigid obstacle" : "for the operator " + contact.gap_operator,
-                 ": leave it out");
-  };
-  refuse("operator", true);
-  refuse("points", gap_operator.takes_points);
-  refuse("quadrature", gap_operator.takes_quadrature);
-}
-
 void read_contact(const Value& value, SceneDraft& draft) {
   ContactDraft contact;
   contact.bodies = &draft.file.scene.bodies;
@@ -111,24 +77,6 @@ void read_contact(const Value& value, SceneDraft& draft) {
   check_choices(value, contact);
   draft.file.scene.contacts.push_back(std::move(contact));
   draft.file.contact_lines.push_back(value.line);
-}
-
-void read_tie(const Value& value, SceneDraft& draft) {
-  TieDraft tie;
-  tie.bodies = &draft.file.scene.bodies;
-  read_members(value, tie_keys(), tie);
-  check_choices(value, tie);
-  if (tie.friction && !tie.slides)
-    value.find("friction")->fail("sides that are tied do not slide: add slides = true, or leave it out");
-  if (tie.friction) {
-    draft.bonds.two_sided.push_back(draft.file.scene.contacts.size());
-    draft.file.scene.contacts.push_back(tie);
-    draft.file.contact_lines.push_back(value.line);
-  } else {
-    draft.bonds.ties.push_back({tie, tie.slides});
-    draft.file.tie_lines.push_back(value.line);
-  }
-  draft.file.scene.bonds = std::make_shared<const Bonds>(draft.bonds);
 }
 
 void read_target(const Value& value, ContactDraft& contact) {
@@ -166,6 +114,37 @@ void read_halvings(const Value& value, SceneDraft& draft) {
 }
 
 }  // namespace
+
+void check_choices(const Value& value, const ContactSpec& contact) {
+  const bool rigid = std::holds_alternative<Obstacle>(contact.target);
+  const GapOperator& gap_operator = find_gap_operator(contact.gap_operator);
+  const auto refuse = [&](const char* name, bool taken) {
+    const Value* const choice = value.find(name);
+    if (choice == nullptr || (!rigid && taken)) return;
+    choice->fail("has no meaning ",
+                 rigid ? "beside a rigid obstacle" : "for the operator " + contact.gap_operator,
+                 ": leave it out");
+  };
+  refuse("operator", true);
+  refuse("points", gap_operator.takes_points);
+  refuse("quadrature", gap_operator.takes_quadrature);
+}
+
+Side side_of(const Value& value, const std::vector<Body>& bodies) {
+  std::string word;
+  take(value, word);
+  std::vector<std::string> known;
+  for (const Body& body : bodies)
+    for (const auto& [name, sides] : body.mesh.boundaries) {
+      const std::string full = body.mesh.name + "." + name;
+      if (word == full || (bodies.size() == 1 && word == name)) {
+        if (sides.empty()) value.fail("the boundary ", in_quotes(word), " is empty");
+        return {name, body.mesh.name};
+      }
+      known.push_back(bodies.size() == 1 ? name : full);
+    }
+  value.fail("there is no boundary ", in_quotes(word), suggestion(word, known));
+}
 
 const Keys<Friction>& friction_keys() {
   static const Keys<Friction> keys = {
@@ -217,19 +196,6 @@ const Keys<ContactDraft>& contact_keys() {
   return keys;
 }
 
-const Keys<TieDraft>& tie_keys() {
-  static const Keys<TieDraft> keys = [] {
-    Keys<TieDraft> made;
-    for (const Key<ContactDraft>& key : contact_keys())
-      if (key.name != "interference" && key.name != "small_sliding")
-        made.emplace_back(key);
-    made.push_back(key("slides", &TieDraft::slides, "",
-                       "whether the source may slide along the target; it never lifts off"));
-    return made;
-  }();
-  return keys;
-}
-
 const Keys<Output>& output_keys() {
   static const Keys<Output> keys = {
       key("vtu", &Output::vtu, "", "file of meshes and fields, for ParaView"),
@@ -239,7 +205,10 @@ const Keys<Output>& output_keys() {
   return keys;
 }
 
-const Keys<SceneDraft>& scene_keys() {
+namespace {
+
+/// Keys in front of those of bonds.
+const Keys<SceneDraft>& first_keys() {
   static const Keys<SceneDraft> keys = {
       {{"title", "text", "", "", "what it is, one line"},
        [](const Value& value, SceneDraft& draft) { take(value, draft.file.title); }},
@@ -258,9 +227,13 @@ const Keys<SceneDraft>& scene_keys() {
        read_bodies},
       {{"contact", "table or list of them", "", "",
         "what may touch, each a [[contact]], see contact"},
-       each_item(read_contact)},
-      {{"tie", "table or list of them", "", "", "what holds together, each a [[tie]], see tie"},
-       each_item(read_tie)},
+       each_item(read_contact)}};
+  return keys;
+}
+
+/// Keys behind those of bonds.
+const Keys<SceneDraft>& last_keys() {
+  static const Keys<SceneDraft> keys = {
       {{"history", "table or list of them", "", "",
         "each a [[history]], what loads grow with if steps do not say it, see load steps"},
        read_histories},
@@ -277,6 +250,18 @@ const Keys<SceneDraft>& scene_keys() {
        [](const Value& value, SceneDraft& draft) {
          read_members(value, output_keys(), draft.file.output);
        }}};
+  return keys;
+}
+
+}  // namespace
+
+const Keys<SceneDraft>& scene_keys() {
+  static const Keys<SceneDraft> keys = [] {
+    Keys<SceneDraft> all = first_keys();
+    all.insert(all.end(), bond_keys().begin(), bond_keys().end());
+    all.insert(all.end(), last_keys().begin(), last_keys().end());
+    return all;
+  }();
   return keys;
 }
 

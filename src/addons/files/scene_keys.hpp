@@ -37,6 +37,22 @@ struct ContactDraft : ContactSpec {
 /// A tie while it is read.
 struct TieDraft : ContactDraft {
   bool slides = false;  ///< see Tie
+  std::optional<Eigen::Vector2d> stiffness = {};  ///< see Tie
+};
+
+/// A linear relation while it is read.
+struct RelationDraft : Relation {
+  const std::vector<Body>* bodies = nullptr;  ///< of the scene
+};
+
+/// A term of a relation while it is read.
+struct TermDraft : RelationTerm {
+  const std::vector<Body>* bodies = nullptr;  ///< of the scene
+};
+
+/// A rigid side while it is read.
+struct RigidDraft : RigidSide {
+  const std::vector<Body>* bodies = nullptr;  ///< of the scene
 };
 
 /// What acts at one point of a body.
@@ -81,6 +97,20 @@ void read_material(const Value& value, Material& material);
 [[nodiscard]] const Keys<ContactDraft>& contact_keys();
 /// \return keys of a tie, in the order in which they are read
 [[nodiscard]] const Keys<TieDraft>& tie_keys();
+/// \return keys of a linear relation, in the order in which they are read
+[[nodiscard]] const Keys<RelationDraft>& relation_keys();
+/// \return keys of a term of a relation, in the order in which they are read
+[[nodiscard]] const Keys<TermDraft>& term_keys();
+/// \return keys of a rigid side, in the order in which they are read
+[[nodiscard]] const Keys<RigidDraft>& rigid_keys();
+/// A boundary as BODY.BOUNDARY; of the only body also as BOUNDARY. \param value  of the key \param bodies  of the scene
+/// \return it \throws ProblemError if there is none of that name, or it is empty
+[[nodiscard]] Side side_of(const Value& value, const std::vector<Body>& bodies);
+/// Refuses choices of a contact that nothing asks for. \param value  its table \param contact  that was read
+/// \throws ProblemError if there is one
+void check_choices(const Value& value, const ContactSpec& contact);
+/// \return keys of the head of the file that bonds have, in the order in which they are read
+[[nodiscard]] const Keys<SceneDraft>& bond_keys();
 /// \return keys of a history, in the order in which they are read
 [[nodiscard]] const Keys<History>& history_keys();
 /// \return keys of some load steps, in the order in which they are read
