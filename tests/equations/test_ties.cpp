@@ -193,6 +193,48 @@ TEST_CASE("a beam of two bodies bends as one", "[ties]") {
   }
 }
 
+// The bars of the case before, whose tie would come to stand 0.005 below the upper one: a floor 0.003 below that holds it. Then
+// 0.003 stretch the upper bar and 0.007 the lower one, and the floor bears the difference of 1.5 and 3.5 on the width of 6.
+TEST_CASE("nodes that a tie moves may touch something", "[ties]") {
+  const bool upper_is_source = GENERATE(true, false);
+  CAPTURE(upper_is_source);
+  Scene scene = stack("q4", {}, 0.01);
+  for (Body& body : scene.bodies) body.material.poisson_ratio = 0;
+  scene.bodies[0].supports = {fixed("bottom")};
+  scene.bodies[1].supports = {fixed("top")};
+  if (!upper_is_source)
+    scene.bonds = bonds_of({tie_of({"top", "lower"}, Side{"bottom", "upper"})});
+  ContactSpec floor;
+  floor.source = {"bottom", "upper"};
+  floor.target = half_plane({0, 2.007}, {0, 1});
+  scene.contacts = {floor};
+  const SolvedScene run = solved(scene, "the bars");
+  CHECK(run.solution.contact.force.sum() == Approx(6 * (3.5 - 1.5)).epsilon(1e-10));
+  for (const Index node : boundary_nodes(run.model.bodies[1].mesh, "bottom"))
+    CHECK(run.solution.displacements[1](node, 1) == Approx(-0.003).epsilon(1e-10));
+  for (const Index node : boundary_nodes(run.model.bodies[0].mesh, "top"))
+    CHECK(run.solution.displacements[0](node, 1) == Approx(0.007).epsilon(1e-10));
+}
+
+// The upper block is longer than the lower one: the tie, which alone holds it, bears its load, with the moment of that.
+TEST_CASE("the moment of a tie is that of what it holds, where the source hangs over", "[ties]") {
+  for (const std::string& element : all_elements) {
+    CAPTURE(element);
+    Scene scene = stack(element);
+    scene.bodies[0].supports = {fixed("bottom")};
+    scene.bodies[1].mesh = block_of(element, "upper", {-1, 2}, {8.5, 2}, 7, 2);
+    EdgeLoad pull;
+    pull.boundary = "top";
+    pull.traction = [](const Vector2d&) { return Vector2d(0.3, 2); };
+    scene.bodies[1].loads.edges = {pull};
+    const SolvedScene run = solved(scene, "the stack");
+    const BondForces sum = bond_forces(run.model, run.solution).front();
+    CHECK(sum.force.x() == Approx(-0.3 * 8.5).epsilon(1e-10));
+    CHECK(sum.force.y() == Approx(-2 * 8.5).epsilon(1e-10));
+    CHECK(sum.moment == Approx(-(2 * 8.5 * 3.25 - 0.3 * 8.5 * 4)).epsilon(1e-9));
+  }
+}
+
 // A quadratic side whose edges each face two dozen: hundreds of small entries, of which none may be lost.
 TEST_CASE("a tie of a coarse side with a fine one is as exact as any", "[ties]") {
   Scene scene = stack("q8");

@@ -87,6 +87,8 @@ TEST_CASE("a rail holds a block that would tip over", "[two-sided]") {
     slides = true;
     CHECK(std::abs(contact.friction(k)) == Approx(bound).epsilon(1e-9).margin(1e-12));
     CHECK(contact.friction(k) * contact.slip(k) <= 0);
+    CHECK((contact.contact_status[std::size_t(k)] == ContactStatus::SlipForward) ==
+          (contact.slip(k) > 0));
   }
   CHECK(slides);
 }
