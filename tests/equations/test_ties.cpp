@@ -1,143 +1,15 @@
-// Two sides that hold together: patch tests, forces in tension, gaps that are closed or kept, and bodies cut in two.
+// Two sides that hold together: forces in tension, beams of two bodies, gaps that are closed or kept, and what lies beside them.
 #include <cmath>
 
-#include "addons/equations/bonds.hpp"
 #include "addons/equations/equations.hpp"
 #include "catch_compat.hpp"
-#include "meshes/split.hpp"
-#include "signorini/fem/block.hpp"
-#include "signorini/fem/reshape.hpp"
-#include "signorini/fem/stress.hpp"
-#include "signorini/scene/readings.hpp"
-#include "support/message.hpp"
+#include "support/tied_stack.hpp"
 
 using Eigen::Index;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 using namespace signorini;
-using signorini_test::problem_message;
-
-namespace {
-
-/// A length and a modulus in other units.
-struct Units {
-  double length = 1;
-  double stress = 1;
-};
-
-Mesh block_of(const std::string& element, const std::string& name, const Vector2d& corner,
-              const Vector2d& size, Index nx, Index ny) {
-  const bool quadratic = element == "q8" || element == "t6";
-  const Mesh mesh =
-      block(name, corner, size, nx, ny, quadratic ? MeshOrder::Quadratic : MeshOrder::Linear);
-  return element[0] == 't' ? split(mesh) : mesh;
-}
-
-Body body_of(Mesh mesh, const std::string& element, const Material& material) {
-  Body body;
-  body.mesh = std::move(mesh);
-  body.element = element;
-  body.material = material;
-  return body;
-}
-
-Mesh turned_by(double angle, const Mesh& mesh) {
-  const double c = std::cos(angle);
-  const double s = std::sin(angle);
-  return mapped(mesh, [=](const Vector2d& x) {
-    return Vector2d(c * x.x() - s * x.y(), s * x.x() + c * x.y());
-  });
-}
-
-Tie tie_of(const Side& source, std::variant<Obstacle, Side> target, bool slides = false) {
-  Tie tie;
-  tie.sides.source = source;
-  tie.sides.target = std::move(target);
-  tie.slides = slides;
-  return tie;
-}
-
-std::shared_ptr<const Bonds> bonds_of(std::vector<Tie> ties) {
-  return std::make_shared<const Bonds>(Bonds{std::move(ties)});
-}
-
-/// Two blocks above each other whose meshes do not match, the upper one the source.
-Scene stack(const std::string& element, const Units& unit = {}, double gap = 0) {
-  Scene scene;
-  const Material material{1000 * unit.stress, 0.3, PlaneState::Strain, unit.length};
-  const double l = unit.length;
-  scene.bodies = {
-      body_of(block_of(element, "lower", {0, 0}, l * Vector2d(6, 2), 5, 2), element, material),
-      body_of(block_of(element, "upper", l * Vector2d(0, 2 + gap), l * Vector2d(6, 2), 3, 2),
-              element, material)};
-  scene.bonds = bonds_of({tie_of({"bottom", "upper"}, Side{"top", "lower"})});
-  return scene;
-}
-
-/// Loads every side of a stack but those that are tied with the traction of a stress, and holds three components.
-void load_uniformly(const Vector3d& stress, double angle, Scene& scene) {
-  const double c = std::cos(angle);
-  const double s = std::sin(angle);
-  const auto pull = [&](const std::string& side, const Vector2d& n) {
-    const Vector2d out(c * n.x() - s * n.y(), s * n.x() + c * n.y());
-    const Vector2d t(stress(0) * out.x() + stress(2) * out.y(),
-                     stress(2) * out.x() + stress(1) * out.y());
-    EdgeLoad load;
-    load.boundary = side;
-    load.traction = [t](const Vector2d&) { return t; };
-    return load;
-  };
-  scene.bodies[0].loads.edges = {pull("left", {-1, 0}), pull("right", {1, 0}),
-                                 pull("bottom", {0, -1})};
-  scene.bodies[1].loads.edges = {pull("left", {-1, 0}), pull("right", {1, 0}),
-                                 pull("top", {0, 1})};
-  const Mesh& mesh = scene.bodies[0].mesh;
-  const std::vector<Index> bottom = boundary_nodes(mesh, "bottom");
-  const Vector2d first = mesh.nodes.row(bottom.front()).transpose();
-  const Vector2d last = mesh.nodes.row(bottom.back()).transpose();
-  const Axis across = std::abs(c) > std::abs(s) ? Axis::Y : Axis::X;
-  scene.bodies[0].supports = {prescribed_at("bottom", first, Axis::X),
-                              prescribed_at("bottom", first, Axis::Y),
-                              prescribed_at("bottom", last, across)};
-}
-
-double stress_error(const SolvedScene& run, const Vector3d& stress) {
-  double worst = 0;
-  for (std::size_t b = 0; b < run.model.bodies.size(); ++b) {
-    const BodyModel& body = run.model.bodies[b];
-    const StressArray found =
-        cell_stress(body.mesh, body.element, body.material, run.solution.displacements[b]);
-    worst = std::max(worst, (found.leftCols(3).rowwise() - stress.transpose()).cwiseAbs().maxCoeff());
-  }
-  return worst / stress.cwiseAbs().maxCoeff();
-}
-
-double largest_displacement(const Solution& solution) {
-  double most = 0;
-  for (const NodeArray& u : solution.displacements) most = std::max(most, u.cwiseAbs().maxCoeff());
-  return most;
-}
-
-const std::vector<std::string> all_elements = {"q4", "q4_bbar", "q4_incompatible", "q8", "t3", "t6"};
-
-}  // namespace
-
-// The upper body has no support at all: the tie alone holds it.
-TEST_CASE("a uniform stress passes a tie of meshes that do not match", "[ties][patch]") {
-  const Vector3d stress = GENERATE(Vector3d(0, 2, 0), Vector3d(1, -3, 0.5), Vector3d(-2, 1, 1));
-  const double angle = GENERATE(0.0, 0.4, 2.0);
-  const Units unit = GENERATE(Units{1, 1}, Units{1e-3, 1e6});
-  for (const std::string& element : all_elements) {
-    CAPTURE(element, angle, unit.length, stress.transpose());
-    Scene scene = stack(element, unit);
-    for (Body& body : scene.bodies) body.mesh = turned_by(angle, body.mesh);
-    load_uniformly(unit.stress * stress, angle, scene);
-    const SolvedScene run = solved(scene, "the stack");
-    CHECK(stress_error(run, unit.stress * stress) <= 1e-11);
-    CHECK(run.solution.certificate.holds());
-    CHECK(run.model.modes.empty());
-  }
-}
+using namespace stacked_blocks;
 
 // Pulled up by 2 on 6 x 1: the tie holds the upper body down by 12, with a tension of 2 everywhere, and a moment of -36
 // about the origin.
@@ -193,6 +65,26 @@ TEST_CASE("a beam of two bodies bends as one", "[ties]") {
   }
 }
 
+// Two bars of length 2 between two walls, 0.01 apart: closed, they are stretched by that over the length 4.
+TEST_CASE("a gap of a tie is closed, or counts as none", "[ties]") {
+  for (const std::string& element : all_elements) {
+    CAPTURE(element);
+    Scene scene = stack(element, {}, 0.01);
+    for (Body& body : scene.bodies) body.material.poisson_ratio = 0;
+    scene.bodies[0].supports = {fixed("bottom")};
+    scene.bodies[1].supports = {fixed("top")};
+    const SolvedScene closed = solved(scene, "the closed one");
+    const double tension = 1000 * 0.01 / 4;
+    CHECK(stress_error(closed, {0, tension, 0}) <= 1e-10);
+    CHECK(bond_forces(closed.model, closed.solution)[0].force.y() ==
+          Approx(-6 * tension).epsilon(1e-10));
+    Tie kept = scene.bonds->ties[0];
+    kept.sides.adjust = 0.02;
+    scene.bonds = bonds_of({kept});
+    CHECK(largest_displacement(solved(scene, "the kept one").solution) == 0);
+  }
+}
+
 // The bars of the case before, whose tie would come to stand 0.005 below the upper one: a floor 0.003 below that holds it. Then
 // 0.003 stretch the upper bar and 0.007 the lower one, and the floor bears the difference of 1.5 and 3.5 on the width of 6.
 TEST_CASE("nodes that a tie moves may touch something", "[ties]") {
@@ -232,36 +124,5 @@ TEST_CASE("the moment of a tie is that of what it holds, where the source hangs 
     CHECK(sum.force.x() == Approx(-0.3 * 8.5).epsilon(1e-10));
     CHECK(sum.force.y() == Approx(-2 * 8.5).epsilon(1e-10));
     CHECK(sum.moment == Approx(-(2 * 8.5 * 3.25 - 0.3 * 8.5 * 4)).epsilon(1e-9));
-  }
-}
-
-// A quadratic side whose edges each face two dozen: hundreds of small entries, of which none may be lost.
-TEST_CASE("a tie of a coarse side with a fine one is as exact as any", "[ties]") {
-  Scene scene = stack("q8");
-  scene.bodies[0].mesh = block_of("q8", "lower", {0, 0}, {6, 2}, 220, 1);
-  scene.bodies[1].mesh = block_of("q8", "upper", {0, 2}, {6, 2}, 9, 1);
-  load_uniformly({1, 2, 0.5}, 0, scene);
-  const SolvedScene run = solved(scene, "the stack");
-  CHECK(stress_error(run, {1, 2, 0.5}) <= 1e-11);
-  CHECK(run.solution.certificate.penetration <= 1e-13);
-}
-
-// Two bars of length 2 between two walls, 0.01 apart: closed, they are stretched by that over the length 4.
-TEST_CASE("a gap of a tie is closed, or counts as none", "[ties]") {
-  for (const std::string& element : all_elements) {
-    CAPTURE(element);
-    Scene scene = stack(element, {}, 0.01);
-    for (Body& body : scene.bodies) body.material.poisson_ratio = 0;
-    scene.bodies[0].supports = {fixed("bottom")};
-    scene.bodies[1].supports = {fixed("top")};
-    const SolvedScene closed = solved(scene, "the closed one");
-    const double tension = 1000 * 0.01 / 4;
-    CHECK(stress_error(closed, {0, tension, 0}) <= 1e-10);
-    CHECK(bond_forces(closed.model, closed.solution)[0].force.y() ==
-          Approx(-6 * tension).epsilon(1e-10));
-    Tie kept = scene.bonds->ties[0];
-    kept.sides.adjust = 0.02;
-    scene.bonds = bonds_of({kept});
-    CHECK(largest_displacement(solved(scene, "the kept one").solution) == 0);
   }
 }

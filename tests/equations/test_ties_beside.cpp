@@ -11,7 +11,6 @@
 #include "signorini/fem/stress.hpp"
 #include "signorini/scene/readings.hpp"
 #include "support/message.hpp"
-#include "support/random_scenes.hpp"
 
 using Eigen::Index;
 using Eigen::Vector2d;
@@ -238,23 +237,4 @@ TEST_CASE("ties that cannot be meant are refused, with what to do", "[ties][erro
   scene.path = Path{{1}, {}};
   CHECK(problem_message([&] { static_cast<void>(plan(scene)); }).find("leave the bonds out") !=
         std::string::npos);
-}
-
-// Two bodies of every kind in the place of the contact between them, some of them sliding, with loads, heat, springs and
-// friction elsewhere: what is solved holds, and what is not says why.
-TEST_CASE("random scenes with ties are solved and certified, or refused", "[ties][random]") {
-  int held = 0;
-  for (std::uint64_t seed = 0; seed < 150; ++seed) {
-    CAPTURE(seed);
-    const Scene scene = signorini_test::random_scene(seed, signorini_test::RandomScenes::Tied).scene;
-    if (!scene.bonds) continue;
-    try {
-      const Solution solution = solve(scene);
-      if (solution.contact.report.status != SolveStatus::Solved) continue;
-      CHECK(solution.certificate.holds());
-      ++held;
-    } catch (const ProblemError&) {
-    }
-  }
-  CHECK(held >= 20);
 }
