@@ -3,6 +3,7 @@
 
 #include "addons/equations/bonds.hpp"
 #include "addons/equations/equations.hpp"
+#include "addons/estimate/estimate.hpp"
 #include "addons/steps/steps.hpp"
 #include "catch_compat.hpp"
 #include "signorini/fem/block.hpp"
@@ -113,6 +114,35 @@ TEST_CASE("a cushion under a rigid plate and a force beside its middle", "[rigid
     const double sigma = -6.0 / 4 - 6 * 0.5 * x / (64.0 / 12);
     CHECK(run.solution.displacements[0](node, 1) == Approx(2 * sigma / 1000).epsilon(1e-10));
   }
+}
+
+// One node of the side follows a history, and the side, which may not turn, follows the node.
+TEST_CASE("a rigid side goes along with a node that a history moves", "[rigid-sides][steps]") {
+  RigidSide level = top();
+  level.turn = 0;
+  Scene scene = pressed_block(level, 0.3);
+  Support pressed = prescribed_at("top", {1, 3}, Axis::Y, -0.002);
+  pressed.history = "press";
+  scene.bodies[0].supports.push_back(pressed);
+  scene.path = Path{{1, 2, 4}, {{"press", {0, 4}, {0, 1}}}};
+  static_cast<void>(solve_steps(scene, [](const Model& model, const Step& step) {
+    CHECK(step.solution.certificate.holds());
+    for (const Index node : boundary_nodes(model.bodies[0].mesh, "top"))
+      CHECK(step.solution.displacements[0](node, 1) ==
+            Approx(-0.002 * step.state.time / 4).epsilon(1e-11));
+  }));
+}
+
+// What is estimated are stresses, and the tractions along a bond belong to nobody's load.
+TEST_CASE("the error of a scene with bonds is not estimated", "[rigid-sides][errors]") {
+  RigidSide level = top();
+  level.y = -0.001;
+  const SolvedScene run = solved(pressed_block(level, 0.3), "the block");
+  CHECK(problem_message([&] {
+          Ledger ledger;
+          static_cast<void>(estimate(run.model, run.condensed, run.solution,
+                                     {"mean", Displacement{"block", Axis::Y, "top"}}, ledger));
+        }).find("leave them out") != std::string::npos);
 }
 
 TEST_CASE("numbers that a rigid side cannot have are refused", "[rigid-sides][errors]") {
