@@ -26,6 +26,7 @@ TEST_CASE("a tie carries tension, and its forces balance the load", "[ties]") {
     CHECK(sums[0].force.y() == Approx(-12).epsilon(1e-11));
     CHECK(sums[0].moment == Approx(-36).epsilon(1e-11));
     CHECK(sums[0].least_pressure == Approx(-2).epsilon(1e-9));
+    CHECK(sums[0].largest_pressure == Approx(-2).epsilon(1e-9));
     CHECK(sums[0].largest_shear == Approx(0).margin(1e-9));
     for (std::size_t b = 0; b < 2; ++b) {
       const NodeArray supports = support_forces(run.model, run.solution, b);

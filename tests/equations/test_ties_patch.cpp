@@ -65,6 +65,37 @@ TEST_CASE("a tie of a coarse side with a fine one is as exact as any", "[ties]")
   CHECK(run.solution.certificate.penetration <= 1e-13);
 }
 
+// Four blocks that meet in one point, each tied to its neighbours, and no two meshes match.
+TEST_CASE("ties that cross pass the patch test", "[ties][patch]") {
+  for (const std::string element : {"q4", "q8", "t6"}) {
+    CAPTURE(element);
+    const Material material{1000, 0.3, PlaneState::Strain};
+    const auto piece = [&](const std::string& name, double x, double y, Index nx, Index ny) {
+      return body_of(block_of(element, name, {x, y}, {2, 2}, nx, ny), element, material);
+    };
+    Scene scene;
+    scene.bodies = {piece("a", 0, 0, 4, 3), piece("b", 2, 0, 3, 5), piece("c", 0, 2, 3, 4),
+                    piece("d", 2, 2, 5, 3)};
+    const auto pull = [](const std::string& side, const Vector2d& traction) {
+      EdgeLoad load;
+      load.boundary = side;
+      load.traction = [traction](const Vector2d&) { return traction; };
+      return load;
+    };
+    scene.bodies[0].supports = {symmetric("left"), symmetric("bottom")};
+    scene.bodies[1].supports = {symmetric("bottom")};
+    scene.bodies[1].loads.edges = {pull("right", {-1, 0})};
+    scene.bodies[2].supports = {symmetric("left")};
+    scene.bodies[2].loads.edges = {pull("top", {0, 2})};
+    scene.bodies[3].loads.edges = {pull("right", {-1, 0}), pull("top", {0, 2})};
+    scene.bonds = bonds_of({tie_of({"bottom", "c"}, Side{"top", "a"}),
+                            tie_of({"bottom", "d"}, Side{"top", "b"}),
+                            tie_of({"left", "b"}, Side{"right", "a"}),
+                            tie_of({"left", "d"}, Side{"right", "c"})});
+    CHECK(stress_error(solved(scene, "the blocks"), {-1, 2, 0}) <= 1e-11);
+  }
+}
+
 // What a run takes is told before it with the equations in K.
 TEST_CASE("the forecast of a scene with ties counts what equations join", "[ties]") {
   for (const std::string element : {"q4", "q8"}) {

@@ -100,7 +100,12 @@ void take_equations(Model& model);
                                                    const Eliminated& solved);
 
 /// Solves a model whose pairs may not all lift off, by solutions of models in which each of them presses from one of two sides.
-/// \param way  of one solution; the others are those of solve()
+/// \param way        of one solution
+/// \param model      from build(), with equations
+/// \param condensed  from condense() of it
+/// \param solver     a member of its family that takes friction where pairs have friction
+/// \param ledger     goes on in the solution
+/// \param options    handed to the solver
 /// \return the solution; one without pairs that never lift off is that of the way
 [[nodiscard]] Solution solve_two_sided(SolveCondensed way, const Model& model,
                                        const Condensed& condensed, const Solver& solver,

@@ -61,8 +61,8 @@ void add_pair(const Pairs& pairs, Index pair, const Vector2d& forces, bool axial
   const Vector2d n = pairs.normal.row(pair).transpose();
   Vector2d f = forces.x() * n + forces.y() * Vector2d(n.y(), -n.x());
   const double pressure = forces.x() / pairs.weight(pair);
-  sum.least_pressure = std::min(sum.least_pressure, pressure);
-  sum.largest_pressure = std::max(sum.largest_pressure, pressure);
+  sum.least_pressure = pair == 0 ? pressure : std::min(sum.least_pressure, pressure);
+  sum.largest_pressure = pair == 0 ? pressure : std::max(sum.largest_pressure, pressure);
   sum.largest_shear = std::max(sum.largest_shear, std::abs(forces.y()) / pairs.weight(pair));
   if (axial) f.x() = 0;
   sum.force += f;
