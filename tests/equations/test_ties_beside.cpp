@@ -224,6 +224,9 @@ TEST_CASE("ties that cannot be meant are refused, with what to do", "[ties][erro
   scene.bodies[0].supports = {fixed("top")};
   scene.bodies[1].mesh = moved(scene.bodies[1].mesh, {0, 0.1});
   scene.bodies[1].supports = {fixed("bottom"), prescribed("top", Axis::X, 0)};
+  Tie closing = scene.bonds->ties[0];
+  closing.closes = true;
+  scene.bonds = bonds_of({closing});
   CHECK(problem_message([&] { static_cast<void>(plan(scene)); }).find("equations contradict") !=
         std::string::npos);
   scene = on_floor(false, true);

@@ -27,7 +27,7 @@ std::string complaint(const std::string& bonds) {
 
 TEST_CASE("bonds of a scene file are those of a scene", "[scene_file][bonds]") {
   const Scene scene = read(
-      "[[tie]]\nsource = \"b.bottom\"\ntarget = \"a.top\"\nadjust = 0.1\n"
+      "[[tie]]\nsource = \"b.bottom\"\ntarget = \"a.top\"\ncloses = true\n"
       "[[tie]]\nsource = \"b.left\"\ntarget = { kind = \"half_plane\", point = [0, 0], normal = [1, 0] }\nslides = true\n"
       "[[tie]]\nsource = \"b.right\"\ntarget = { kind = \"half_plane\", point = [4, 0], normal = [-1, 0] }\n"
       "slides = true\nfriction = 0.2\n"
@@ -38,7 +38,8 @@ TEST_CASE("bonds of a scene file are those of a scene", "[scene_file][bonds]") {
   REQUIRE(scene.bonds);
   const Bonds& bonds = *scene.bonds;
   REQUIRE(bonds.ties.size() == 3);
-  CHECK(bonds.ties[0].sides.adjust == 0.1);
+  CHECK(bonds.ties[0].closes);
+  CHECK_FALSE(bonds.ties[1].closes);
   CHECK_FALSE(bonds.ties[0].slides);
   CHECK(bonds.ties[1].slides);
   CHECK(bonds.ties[2].stiffness == Vector2d(3, 1));

@@ -370,7 +370,8 @@ RandomScene tied(RandomScene loose, std::uint64_t seed) {
     }
     contact.friction.reset();
     contact.interference.reset();
-    bonds->ties.push_back({contact, seed % 3 == 0});
+    contact.adjust.reset();
+    bonds->ties.push_back({contact, seed % 3 == 0, seed % 4 == 0});
   }
   loose.scene.contacts = others;
   if (!bonds->ties.empty()) loose.scene.bonds = bonds;

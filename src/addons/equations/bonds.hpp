@@ -9,11 +9,13 @@
 
 namespace signorini {
 
-/// Two sides whose gap is and stays zero: they carry tension as well as pressure. A rigid obstacle may be the target.
+/// Two sides whose gap stays what it is: they carry tension as well as pressure. A rigid obstacle may be the target.
 struct Tie {
-  /// Source, target, operator, and `adjust`: what else a contact may have is none of a tie.
-  ContactSpec sides;
+  ContactSpec sides;    ///< source, target and operator: what else a contact may have is none of a tie
   bool slides = false;  ///< whether the source may slide along the target, without friction
+  /// Whether gaps and overlaps of the meshes are closed, which strains the bodies. Without it the sides stay as far apart as the
+  /// meshes have them, such as straight edges of two meshes along one curve.
+  bool closes = false;
   /// Springs all along the sides in the place of the tie, at rest as the meshes are: along the normal, and along the tangent,
   /// not negative [force/length^3]
   std::optional<Eigen::Vector2d> stiffness = {};

@@ -72,17 +72,15 @@ std::vector<Equation> rows_of(const Pairs& pairs, const NodalRows& slips, Index 
   return rows;
 }
 
-/// Gaps up to `adjust` are none. Others are closed, which strains the bodies, and a note says by how much.
-void close_gaps(const ContactSpec& sides, const std::string& what, Pairs& pairs, Plan& draft) {
+/// What is done about gaps of the meshes, in words for the plan; nothing if there are none.
+std::string fit(const Tie& tie, Pairs& pairs) {
   const double rounding = gap_rounding(pairs);
-  const double small = std::max(sides.adjust.value_or(0), rounding);
   const Eigen::ArrayXd gap = pairs.initial_gap;
-  pairs.initial_gap = (gap.abs() <= small).select(0, gap);
-  const double closed = pairs.initial_gap.size() > 0 ? pairs.initial_gap.cwiseAbs().maxCoeff() : 0;
-  if (closed > 0)
-    draft.notes.push_back(text(what, ": gaps and overlaps of up to ", closed,
-                               " before loading are closed, which strains the bodies; with adjust = ",
-                               closed, " they count as none"));
+  const double apart = gap.size() > 0 ? gap.abs().maxCoeff() : 0;
+  const bool closes = tie.closes && !tie.stiffness;
+  pairs.initial_gap = (gap.abs() <= (closes ? rounding : apart)).select(0, gap);
+  if (apart <= rounding) return "";
+  return text(", gaps and overlaps of up to ", apart, closes ? " closed" : " stay");
 }
 
 /// Nodes that no row holds: the side is longer than what it faces.
@@ -94,11 +92,8 @@ void note_unpaired(const std::string& what, const Pairs& pairs, Plan& draft) {
 }
 
 void check_tie(const ContactSpec& sides, const std::string& what, const Pairs& pairs) {
-  const double adjust = sides.adjust.value_or(0);
-  require_input(std::isfinite(adjust) && adjust >= 0, "adjusted gaps of the ", what,
-                " must be a length >= 0, got ", adjust);
-  require_input(!sides.friction && !sides.interference, what,
-                ": friction and interference are those of a contact: leave them out");
+  require_input(!sides.friction && !sides.interference && !sides.adjust, what,
+                ": friction, interference and adjusted gaps are those of a contact: leave them out");
   require_input(
       std::none_of(pairs.node.begin(), pairs.node.end(), [](Index node) { return node < 0; }), what,
       ": the operator ", sides.gap_operator,
@@ -119,7 +114,6 @@ void add_springs(const Vector2d& stiffness, const Bond& bond, const NodalRows& s
     for (const int across : {0, 1}) {
       if (stiffness(across) == 0) continue;
       rows.push_back(combined(bond.pairs, slips, pair, 1 - across, across));
-      rows.back().right = 0;
       rows.back().stiffness = stiffness(across) * bond.pairs.weight(pair);
     }
 }
@@ -134,7 +128,7 @@ void add_tie(const Tie& tie, Plan& draft, Equations& all) {
   bond.pairs = pair_up(tie.sides, draft.bodies, false, nullptr);
   check_tie(tie.sides, bond.what, bond.pairs);
   check_obstacle_side(tie.sides, draft.bodies, bond.pairs);
-  if (!tie.stiffness) close_gaps(tie.sides, bond.what, bond.pairs, draft);
+  const std::string fitted = fit(tie, bond.pairs);
   note_unpaired(bond.what, bond.pairs, draft);
   const NodalRows slips = turned(bond.pairs.opening);
   const Index first_node = draft.bodies[body_index(draft.bodies, tie.sides.source)].first_node;
@@ -149,7 +143,7 @@ void add_tie(const Tie& tie, Plan& draft, Equations& all) {
   const bool rigid = std::holds_alternative<Obstacle>(tie.sides.target);
   draft.on.push_back(text(bond.what, ": ", bond.behind - bond.first,
                           tie.stiffness ? " springs" : " equations",
-                          rigid ? std::string() : " by " + tie.sides.gap_operator));
+                          rigid ? std::string() : " by " + tie.sides.gap_operator, fitted));
   all.bonds.push_back(std::move(bond));
 }
 

@@ -34,17 +34,19 @@ void read_tie(const Value& value, SceneDraft& draft) {
   tie.bodies = &draft.file.scene.bodies;
   read_members(value, tie_keys(), tie);
   check_choices(value, tie);
-  for (const char* const name : {"friction", "slides", "adjust"})
+  for (const char* const name : {"friction", "slides", "closes"})
     if (const Value* const other = value.find(name); other != nullptr && tie.stiffness)
       other->fail("has no meaning beside stiffness, which makes springs of the tie: leave it out");
   if (tie.friction && !tie.slides)
     value.find("friction")->fail("sides that are tied do not slide: add slides = true, or leave it out");
+  if (const Value* const closes = value.find("closes"); closes != nullptr && tie.friction)
+    closes->fail("has no meaning beside friction, whose pairs close what is open: leave it out");
   if (tie.friction) {
     draft.bonds.two_sided.push_back(draft.file.scene.contacts.size());
     draft.file.scene.contacts.push_back(tie);
     draft.file.contact_lines.push_back(value.line);
   } else {
-    draft.bonds.ties.push_back({tie, tie.slides, tie.stiffness});
+    draft.bonds.ties.push_back({tie, tie.slides, tie.closes, tie.stiffness});
     draft.file.tie_lines.push_back(value.line);
   }
 }
@@ -71,10 +73,13 @@ const Keys<TieDraft>& tie_keys() {
   static const Keys<TieDraft> keys = [] {
     Keys<TieDraft> made;
     for (const Key<ContactDraft>& key : contact_keys())
-      if (key.name != "interference" && key.name != "small_sliding")
+      if (key.name != "interference" && key.name != "small_sliding" && key.name != "adjust")
         made.emplace_back(key);
     made.push_back(key("slides", &TieDraft::slides, "",
                        "whether the source may slide along the target; it never lifts off"));
+    made.push_back(key("closes", &TieDraft::closes, "",
+                       "whether gaps and overlaps of the meshes are closed, which strains the bodies; "
+                       "without it they stay"));
     made.push_back(key("stiffness", &TieDraft::stiffness, "force/length^3",
                        "springs in the place of the tie, along the normal and along the tangent",
                        Bound::NotNegative));

@@ -37,6 +37,7 @@ struct ContactDraft : ContactSpec {
 /// A tie while it is read.
 struct TieDraft : ContactDraft {
   bool slides = false;  ///< see Tie
+  bool closes = false;  ///< see Tie
   std::optional<Eigen::Vector2d> stiffness = {};  ///< see Tie
 };
 
