@@ -5,6 +5,7 @@
 #include <ostream>
 #include <vector>
 
+#include "addons/equations/equations.hpp"
 #include "command_line/print.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/wording.hpp"
@@ -105,6 +106,36 @@ void print_contacts(std::ostream& out, const Model& model, const Solution& solut
     print_closed(out, columns, sums[k], closed);
     if (k + 1 < sums.size()) out << '\n';
   }
+}
+
+void print_bonds(std::ostream& out, const Model& model, const Solution& solution) {
+  if (!model.equations) return;
+  const bool axial = is_axial(model.bodies[0]);
+  for (const BondForces& sum : bond_forces(model, solution)) {
+    out << "bond " << sum.name << ": force on the " << (sum.has_sides ? "source " : "first side ")
+        << force_in_words(sum.force, axial);
+    if (!axial) out << ", moment about the origin " << sum.moment;
+    if (sum.has_sides)
+      out << ", pressure " << sum.least_pressure << " to " << sum.largest_pressure
+          << ", shear up to " << sum.largest_shear;
+    out << '\n';
+  }
+}
+
+void write_bonds(Json& json, const Model& model, const Solution& solution) {
+  if (!model.equations) return;
+  json.key("bonds").array();
+  for (const BondForces& sum : bond_forces(model, solution)) {
+    json.object().key("name").value(sum.name).key("force").value(Eigen::VectorXd(sum.force));
+    json.key("moment").value(sum.moment);
+    if (sum.has_sides) {
+      json.key("least_pressure").value(sum.least_pressure);
+      json.key("largest_pressure").value(sum.largest_pressure);
+      json.key("largest_shear").value(sum.largest_shear);
+    }
+    json.end();
+  }
+  json.end();
 }
 
 void write_contacts(Json& json, const Model& model, const Solution& solution,

@@ -29,6 +29,20 @@ void print_rows(std::ostream& out, const std::vector<signorini::PairColumn>& col
 void print_contacts(std::ostream& out, const signorini::Model& model,
                     const signorini::Solution& solution, const signorini::PathState* state);
 
+/// Prints of each bond with sides what it carries.
+/// \param out       where to
+/// \param model     that was solved
+/// \param solution  of it, Solved
+void print_bonds(std::ostream& out, const signorini::Model& model,
+                 const signorini::Solution& solution);
+
+/// Writes the key `bonds`: what each with sides carries; nothing without equations.
+/// \param json      an object
+/// \param model     that was solved
+/// \param solution  of it, Solved
+void write_bonds(signorini::Json& json, const signorini::Model& model,
+                 const signorini::Solution& solution);
+
 /// Writes the keys `resultants`, `contacts` and `pairs`: sums, those of each contact, and the columns of all pairs.
 /// \param json      an object
 /// \param model     that was solved

@@ -147,6 +147,7 @@ void print_plan(std::ostream& out, const SceneRun& run) {
 
 void print_result(std::ostream& out, const SceneRun& run) {
   print_bodies(out, *run.model, *run.solution);
+  print_bonds(out, *run.model, *run.solution);
   if (run.solution->pressure.size() > 0)
     print_contacts(out, *run.model, *run.solution, run.state());
   print_probes(out, run);
@@ -192,6 +193,7 @@ void write_result(Json& json, const Model& model, const Solution& solution,
   if (solved) {
     write_contacts(json, model, solution, state);
     write_bodies(json, model, solution);
+    write_bonds(json, model, solution);
     write_probes(json, probes, model, solution, state);
   }
   write_ledger(json, "ledger", solution.ledger);

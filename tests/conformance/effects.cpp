@@ -130,7 +130,7 @@ TEST_CASE(
   int refused = 0;
   for (const RandomScenes kind :
        {RandomScenes::Frictionless, RandomScenes::Frictional, RandomScenes::Varied,
-        RandomScenes::Revolved, RandomScenes::Paths, RandomScenes::Moving})
+        RandomScenes::Revolved, RandomScenes::Paths, RandomScenes::Tied, RandomScenes::Moving})
     for (std::uint64_t seed = 0; seed < 100; ++seed) {
       CAPTURE(seed);
       Scene scene = random_scene(seed, kind).scene;

@@ -23,6 +23,7 @@ RUNS = [["plan", "examples/hertz.toml"], ["solve", "examples/cantilever.toml", "
         ["lcp", "tests/data/siconos_lcp/lcp_CPS_1.dat", "--solver", "all"], ["qp", "tests/data/maros_meszaros/HS52.txt", "--solver", "all"],
         ["friction", "tests/data/siconos_fc2d/FC2D_SliderCrankLagrangian00000.dat", "--solver", "all"],
         ["friction", "tests/hard/friction/three_answers.txt"], ["solve", "examples/bolt_in_tube.toml"], ["solve", "examples/probes.toml"], ["solve", "src/addons/effects/springs.toml"],
+        ["solve", "src/addons/equations/equations.toml"],
         ["mesh", "examples/lining.toml"], ["mesh", "tests/data/inp/two_blocks.inp"], ["mesh", "tests/data/inp/layers.toml"],
         ["mesh", "tests/data/inp/inverted.inp"]]
 RUNS += [["solve", "tests/data/transcripts/%s.toml" % name]

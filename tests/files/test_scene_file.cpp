@@ -333,13 +333,13 @@ TEST_CASE("a single body may leave out its name, a list stands for several thing
 TEST_CASE("messages are short and show nothing that is not printed", "[scene_file]") {
   CHECK(complaint("title = 1\nbody = {}") == "name:1: title: expected a text, got the number 1");
   CHECK(complaint("\"\\u0007\" = 1") ==
-        "name:1: ?: unknown key; there are: title, solver, material, body, contact, history, "
-        "steps, halvings, moves, probe, output");
+        "name:1: ?: unknown key; there are: title, solver, material, body, contact, tie, "
+        "relation, rigid, history, steps, halvings, moves, probe, output");
   const std::string longest(500, 'x');
   CHECK(complaint(longest + " = 1") ==
         "name:1: " + std::string(40, 'x') +
             "...: unknown key; there are: title, solver, material, "
-            "body, contact, history, steps, halvings, moves, probe, output");
+            "body, contact, tie, relation, rigid, history, steps, halvings, moves, probe, output");
   CHECK(complaint("solver = \"" + longest + "\"\nbody = {}")
             .find(std::string(40, 'x') + "...'; there are:") != std::string::npos);
 }

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const char* const folders[] = {"signorini/scene", "addons/effects", "addons/motion", "addons/steps"};
+const char* const folders[] = {"signorini/scene", "addons/effects", "addons/equations", "addons/motion", "addons/steps"};
 
 /// What stands behind a mark at the beginning of a line.
 bool marked(const std::string& line, const std::string& mark, std::string& rest) {

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "addons/equations/bonds.hpp"
 #include "meshes/split.hpp"
 #include "signorini/core/errors.hpp"
 #include "support/far.hpp"
@@ -358,6 +359,26 @@ RandomScene revolved(RandomScene plane, double off) {
   return round;
 }
 
+/// The scene with ties in the place of contacts between two bodies, every third one of which slides.
+RandomScene tied(RandomScene loose, std::uint64_t seed) {
+  auto bonds = std::make_shared<Bonds>();
+  std::vector<ContactSpec> others;
+  for (ContactSpec contact : loose.scene.contacts) {
+    if (std::holds_alternative<Obstacle>(contact.target)) {
+      others.push_back(contact);
+      continue;
+    }
+    contact.friction.reset();
+    contact.interference.reset();
+    contact.adjust.reset();
+    bonds->ties.push_back({contact, seed % 3 == 0, seed % 4 == 0});
+  }
+  loose.scene.contacts = others;
+  if (!bonds->ties.empty()) loose.scene.bonds = bonds;
+  loose.text += "; tied";
+  return loose;
+}
+
 }  // namespace
 
 RandomScene random_scene(std::uint64_t seed, RandomScenes kind) {
@@ -376,6 +397,7 @@ RandomScene random_scene(std::uint64_t seed, RandomScenes kind) {
     Scene scene = random_moving(draw);
     return {std::move(scene), std::move(draw.text)};
   }
+  if (kind == RandomScenes::Tied) return tied(random_scene(seed, RandomScenes::Varied), seed);
   const bool path = kind == RandomScenes::Paths;
   RandomScene plane =
       Drawing(seed, kind == RandomScenes::Revolved ? RandomScenes::Frictionless : kind).drawn();

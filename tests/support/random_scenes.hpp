@@ -15,6 +15,7 @@ enum class RandomScenes {
   Revolved,   ///< the cross-sections are of bodies of revolution
   Triangles,  ///< as Frictionless, on triangles and meshes of both
   Paths,      ///< load steps of Varied, some on triangles, some revolved
+  Tied,       ///< as Varied, with ties in the place of contacts between two bodies
   Moving,     ///< bodies that move in load steps, see random_moving()
   Any         ///< any of these, then made odd or wrong, see spoil()
 };

@@ -41,6 +41,9 @@ struct Residuals {
 };
 
 void check_one_step(const Model& model) {
+  require_input(!model.equations,
+                "estimate: the error along bonds, whose forces are those of equations, is not "
+                "estimated: leave them out, or compare with a finer mesh");
   require_input(
       model.path.times.empty(),
       "estimate: the model has load steps, whose errors add up along the path; only that of a "

@@ -54,6 +54,11 @@ std::size_t line_of(const SceneFile& file, const std::string& message) {
         return file.contact_lines[k];
     }
   }
+  for (std::size_t k = 0; k < file.tie_lines.size(); ++k) {
+    Scene some{bodies, contacts, file.scene.solver, file.scene.path};
+    some.bonds = std::make_shared<const Bonds>(Bonds{{file.scene.bonds->ties[k]}});
+    if (fails_with(message, some)) return file.tie_lines[k];
+  }
   const std::vector<std::string> names = names_of_contacts(file.scene);
   for (std::size_t k = names.size(); k-- > 0;)  // a later name may have an earlier one in it
     if (message.find(names[k]) != std::string::npos) return file.contact_lines[k];
@@ -134,6 +139,10 @@ std::string key_reference() {
   add_section(page, "Contact: `[[contact]]`", contact_keys());
   add_kinds(page, "Obstacles: `target = { kind = ..., ... }`", obstacle_kinds(), {});
   add_section(page, "Friction", friction_keys());
+  add_section(page, "Tie: `[[tie]]`", tie_keys());
+  add_section(page, "Relation: `[[relation]]`", relation_keys());
+  add_section(page, "Relation: `terms`", term_keys());
+  add_section(page, "Rigid side: `[[rigid]]`", rigid_keys());
   add_section(page, "Load steps: `[[steps]]`", steps_keys());
   add_section(page, "Load steps: `[[history]]`", history_keys());
   page += "\n### Load steps: what may grow, as `{ value = ..., history = ... }`\n\n";

@@ -32,6 +32,7 @@ struct SceneFile {
   std::string name;                        ///< of the file, for messages
   std::vector<std::size_t> body_lines;     ///< where each body begins, from 1
   std::vector<std::size_t> contact_lines;  ///< where each contact begins, from 1
+  std::vector<std::size_t> tie_lines = {};  ///< where each tie of the bonds begins, from 1
   /// What a user should know of how the file was understood, each with its line: for the notes of a plan.
   std::vector<std::string> notes = {};
 };

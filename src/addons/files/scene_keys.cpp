@@ -18,23 +18,6 @@ const std::vector<Word<Quadrature>> words_of<Quadrature> = {
 
 namespace {
 
-/// A boundary as BODY.BOUNDARY; of the only body also as BOUNDARY.
-Side side_of(const Value& value, const std::vector<Body>& bodies) {
-  std::string word;
-  take(value, word);
-  std::vector<std::string> known;
-  for (const Body& body : bodies)
-    for (const auto& [name, sides] : body.mesh.boundaries) {
-      const std::string full = body.mesh.name + "." + name;
-      if (word == full || (bodies.size() == 1 && word == name)) {
-        if (sides.empty()) value.fail("the boundary ", in_quotes(word), " is empty");
-        return {name, body.mesh.name};
-      }
-      known.push_back(bodies.size() == 1 ? name : full);
-    }
-  value.fail("there is no boundary ", in_quotes(word), suggestion(word, known));
-}
-
 /// One boundary, or one that is made of several of a body, and called by all of their names.
 Side side_of_several(const Value& value, std::vector<Body>& bodies) {
   const std::vector<const Value*> all = value.one_or_several();
@@ -85,22 +68,6 @@ void read_bodies(const Value& value, SceneDraft& draft) {
   draft.file.scene.bodies.clear();
   each_item(read_body)(value, draft);
   if (draft.file.scene.bodies.empty()) value.fail("a scene needs at least one body");
-}
-
-/// Refuses choices that nothing asks for.
-void check_choices(const Value& value, const ContactSpec& contact) {
-  const bool rigid = std::holds_alternative<Obstacle>(contact.target);
-  const GapOperator& gap_operator = find_gap_operator(contact.gap_operator);
-  const auto refuse = [&](const char* name, bool taken) {
-    const Value* const choice = value.find(name);
-    if (choice == nullptr || (!rigid && taken)) return;
-    choice->fail("has no meaning ",
-                 rigid ? "beside a rigid obstacle" : "for the operator " + contact.gap_operator,
-                 ": leave it out");
-  };
-  refuse("operator", true);
-  refuse("points", gap_operator.takes_points);
-  refuse("quadrature", gap_operator.takes_quadrature);
 }
 
 void read_contact(const Value& value, SceneDraft& draft) {
@@ -167,6 +134,37 @@ void read_halvings(const Value& value, SceneDraft& draft) {
 
 }  // namespace
 
+void check_choices(const Value& value, const ContactSpec& contact) {
+  const bool rigid = std::holds_alternative<Obstacle>(contact.target);
+  const GapOperator& gap_operator = find_gap_operator(contact.gap_operator);
+  const auto refuse = [&](const char* name, bool taken) {
+    const Value* const choice = value.find(name);
+    if (choice == nullptr || (!rigid && taken)) return;
+    choice->fail("has no meaning ",
+                 rigid ? "beside a rigid obstacle" : "for the operator " + contact.gap_operator,
+                 ": leave it out");
+  };
+  refuse("operator", true);
+  refuse("points", gap_operator.takes_points);
+  refuse("quadrature", gap_operator.takes_quadrature);
+}
+
+Side side_of(const Value& value, const std::vector<Body>& bodies) {
+  std::string word;
+  take(value, word);
+  std::vector<std::string> known;
+  for (const Body& body : bodies)
+    for (const auto& [name, sides] : body.mesh.boundaries) {
+      const std::string full = body.mesh.name + "." + name;
+      if (word == full || (bodies.size() == 1 && word == name)) {
+        if (sides.empty()) value.fail("the boundary ", in_quotes(word), " is empty");
+        return {name, body.mesh.name};
+      }
+      known.push_back(bodies.size() == 1 ? name : full);
+    }
+  value.fail("there is no boundary ", in_quotes(word), suggestion(word, known));
+}
+
 const Keys<Friction>& friction_keys() {
   static const Keys<Friction> keys = {
       key("coefficient", &Friction::coefficient, "", "mu", Bound::NotNegative),
@@ -225,7 +223,10 @@ const Keys<Output>& output_keys() {
   return keys;
 }
 
-const Keys<SceneDraft>& scene_keys() {
+namespace {
+
+/// Keys in front of those of bonds.
+const Keys<SceneDraft>& first_keys() {
   static const Keys<SceneDraft> keys = {
       {{"title", "text", "", "", "what it is, one line"},
        [](const Value& value, SceneDraft& draft) { take(value, draft.file.title); }},
@@ -244,7 +245,13 @@ const Keys<SceneDraft>& scene_keys() {
        read_bodies},
       {{"contact", "table or list of them", "", "",
         "what may touch, each a [[contact]], see contact"},
-       each_item(read_contact)},
+       each_item(read_contact)}};
+  return keys;
+}
+
+/// Keys behind those of bonds.
+const Keys<SceneDraft>& last_keys() {
+  static const Keys<SceneDraft> keys = {
       {{"history", "table or list of them", "", "",
         "each a [[history]], what loads grow with if steps do not say it, see load steps"},
        read_histories},
@@ -263,6 +270,18 @@ const Keys<SceneDraft>& scene_keys() {
        [](const Value& value, SceneDraft& draft) {
          read_members(value, output_keys(), draft.file.output);
        }}};
+  return keys;
+}
+
+}  // namespace
+
+const Keys<SceneDraft>& scene_keys() {
+  static const Keys<SceneDraft> keys = [] {
+    Keys<SceneDraft> all = first_keys();
+    all.insert(all.end(), bond_keys().begin(), bond_keys().end());
+    all.insert(all.end(), last_keys().begin(), last_keys().end());
+    return all;
+  }();
   return keys;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "addons/along/variation.hpp"
+#include "addons/equations/bonds.hpp"
 #include "addons/files/keys.hpp"
 #include "addons/files/scene_file.hpp"
 
@@ -18,6 +19,7 @@ struct SceneDraft {
   const Value* root = nullptr;            ///< the whole text
   std::optional<Material> material = {};  ///< of the bodies that have none of their own
   bool material_used = false;             ///< whether there is such a body
+  Bonds bonds = {};                       ///< those read so far
   std::vector<History> histories = {};    ///< of load steps
   std::vector<const Value*> places = {};  ///< where each of them stands in the text
 };
@@ -31,6 +33,28 @@ struct BodyDraft : Body {
 /// A contact while it is read.
 struct ContactDraft : ContactSpec {
   std::vector<Body>* bodies = nullptr;  ///< of the scene; get boundaries that are made of several
+};
+
+/// A tie while it is read.
+struct TieDraft : ContactDraft {
+  bool slides = false;  ///< see Tie
+  bool closes = false;  ///< see Tie
+  std::optional<Eigen::Vector2d> stiffness = {};  ///< see Tie
+};
+
+/// A linear relation while it is read.
+struct RelationDraft : Relation {
+  const std::vector<Body>* bodies = nullptr;  ///< of the scene
+};
+
+/// A term of a relation while it is read.
+struct TermDraft : RelationTerm {
+  const std::vector<Body>* bodies = nullptr;  ///< of the scene
+};
+
+/// A rigid side while it is read.
+struct RigidDraft : RigidSide {
+  const std::vector<Body>* bodies = nullptr;  ///< of the scene
 };
 
 /// What acts at one point of a body.
@@ -85,6 +109,22 @@ void read_material(const Value& value, Material& material);
 [[nodiscard]] const Keys<Temperature>& temperature_keys();
 /// \return keys of a contact, in the order in which they are read
 [[nodiscard]] const Keys<ContactDraft>& contact_keys();
+/// \return keys of a tie, in the order in which they are read
+[[nodiscard]] const Keys<TieDraft>& tie_keys();
+/// \return keys of a linear relation, in the order in which they are read
+[[nodiscard]] const Keys<RelationDraft>& relation_keys();
+/// \return keys of a term of a relation, in the order in which they are read
+[[nodiscard]] const Keys<TermDraft>& term_keys();
+/// \return keys of a rigid side, in the order in which they are read
+[[nodiscard]] const Keys<RigidDraft>& rigid_keys();
+/// A boundary as BODY.BOUNDARY; of the only body also as BOUNDARY. \param value  of the key \param bodies  of the scene
+/// \return it \throws ProblemError if there is none of that name, or it is empty
+[[nodiscard]] Side side_of(const Value& value, const std::vector<Body>& bodies);
+/// Refuses choices of a contact that nothing asks for. \param value  its table \param contact  that was read
+/// \throws ProblemError if there is one
+void check_choices(const Value& value, const ContactSpec& contact);
+/// \return keys of the head of the file that bonds have, in the order in which they are read
+[[nodiscard]] const Keys<SceneDraft>& bond_keys();
 /// \return keys of a history, in the order in which they are read
 [[nodiscard]] const Keys<History>& history_keys();
 /// \return keys of some load steps, in the order in which they are read

@@ -23,6 +23,21 @@ std::vector<SystemParts> systems_of(const Plan& plan, Pattern& known) {
   return systems;
 }
 
+/// What effects make of K and of the rows behind all others, such as equations that are taken into them.
+void finish(const Plan& plan, Pattern& known) {
+  if (!plan.finish) return;
+  Model model{plan, {}, {}};
+  model.parts.clear();
+  model.programme.stiffness.swap(known.stiffness);
+  model.programme.stiffness.coeffs().setOnes();
+  model.programme.A.swap(known.rows);
+  model.programme.load.setZero(model.programme.stiffness.cols());
+  model.programme.initial_gap.setZero(model.programme.A.rows());
+  plan.finish(model);
+  model.programme.stiffness.swap(known.stiffness);
+  model.programme.A.swap(known.rows);
+}
+
 }  // namespace
 
 Pattern pattern_of(const Plan& plan) {
@@ -32,6 +47,7 @@ Pattern pattern_of(const Plan& plan) {
     blocks.push_back(stiffness_pattern(body.mesh, body.unknowns));
   put_along_diagonal(plan.bodies, blocks, known.stiffness);
   known.rows = contact_rows(plan.gaps, plan.law);
+  finish(plan, known);
   known.systems = systems_of(plan, known);
   Ledger taken;
   SeparatorTree tree;

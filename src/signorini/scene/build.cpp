@@ -57,6 +57,7 @@ Model build(Plan plan, Ledger& ledger) {
   with_context(model.notes, [&] {
     for (const Effect* effect : model.effects)
       if (effect->add != nullptr) effect->add(model);
+    if (model.finish) model.finish(model);
   });
   model.gaps = {};
   const QuadraticProgramme& programme = model.programme;

@@ -10,6 +10,10 @@
 //   temperature would be left out silently, and the answer would be wrong.
 // - Histories. A load may follow a history, say first up and then down. Without load steps
 //   there is nothing to follow.
+//
+// One mistake shows only in the numbers of the condensed problem: units in which a length or a
+// load is far beyond what a double can square. With a modulus of \f$ 10^{200} \f$ a compliance
+// is \f$ 10^{-200} \f$, and its square is 0.
 
 #include "signorini/scene/check_scene.hpp"
 
@@ -20,6 +24,7 @@
 #include "signorini/core/errors.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/effects.hpp"
+#include "signorini/scene/ways.hpp"
 
 namespace signorini {
 namespace {
@@ -50,6 +55,7 @@ void check_effects(const Scene& scene) {
   };
   const char* const own = "register_effects";
   check(scene.path.has_value(), "load steps", "register_load_steps");
+  check(scene.bonds != nullptr, "equations", "register_equations");
   for (const Body& body : scene.bodies) {
     check(body.material.state == PlaneState::Axial, "axial symmetry", own);
     check(!body.layers.empty(), "layers", own);
@@ -89,6 +95,18 @@ void check_scene(const Scene& scene) {
   check_names(scene);
   check_effects(scene);
   check_histories(scene);
+}
+
+// A solver that meets an infinite number blames its caller. Here the caller is the library,
+// and the number comes from the units of the scene.
+void check_numbers(const ContactProblem& problem) {
+  try {
+    check_finite(problem);
+  } catch (const std::invalid_argument& error) {
+    throw ProblemError(text("the scene cannot be solved in these units: ", error.what(),
+                            "; look for a modulus, thickness, load, friction or length that is far "
+                            "larger or smaller than the others"));
+  }
 }
 
 }  // namespace signorini

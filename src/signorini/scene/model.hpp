@@ -49,6 +49,7 @@ struct ContactBodies {
   std::size_t source;                 ///< of the source
   std::optional<std::size_t> target;  ///< of the target; a rigid obstacle has none
 };
+struct Equations;
 struct Model;
 struct FollowedContact;
 
@@ -95,6 +96,8 @@ struct Plan {
   Backend backend = default_backend();  ///< of the scene, factors K
   std::any order = {};  ///< for the back end to begin with, see Stiffness; empty: it finds its own
   std::shared_ptr<const StepLoop> loop = {};  ///< of bodies that move; null: a step is one problem
+  std::shared_ptr<const Equations> equations = {};  ///< of the bonds of the scene; null without
+  std::function<void(Model&)> finish = {};  ///< called by build() behind all effects; none by default
   std::shared_ptr<const Standing> standing = {};  ///< null: bodies are where the scene has them
 };
 

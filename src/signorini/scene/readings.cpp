@@ -76,8 +76,9 @@ NodeArray support_forces(const Model& model, const Solution& solution, std::size
   // A rigid motion strains nothing, but its rounding would.
   const NodeArray all = expand(model.unknowns, strained(solution.refined));
   const NodeArray strains = all.middleRows(own.first_node, own.mesh.n_nodes());
-  const NodeArray held = internal_forces(own.mesh, own.element, own.material, strains) -
-                         nodal_loads(own.mesh, own.element, own.material, own.loads) - contact;
+  NodeArray held = internal_forces(own.mesh, own.element, own.material, strains) -
+                   nodal_loads(own.mesh, own.element, own.material, own.loads) - contact;
+  if (!solution.bond_forces.empty()) held -= solution.bond_forces[body];
   return own.springs.rows() == 0 ? held : held - spring_forces(model, solution, body);
 }
 

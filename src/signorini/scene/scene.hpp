@@ -2,6 +2,7 @@
 /// What a user wants solved, and the road from there to a solution.
 #pragma once
 #include <iosfwd>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -85,6 +86,8 @@ struct ContactSpec {
   bool small_sliding = false;
 };
 
+struct Bonds;
+
 /// Elastic bodies and what they may touch. Every effect is an optional entry, see effects.hpp; one that is
 /// absent costs nothing.
 struct Scene {
@@ -96,6 +99,8 @@ struct Scene {
   /// Whether pairs are those of bodies where they have moved to, as far as they slide: an effect of the add-on motion, in
   /// load steps. Without it they are those of the meshes.
   bool moves = false;
+  /// Equations between displacements, of the add-on equations; none by default.
+  std::shared_ptr<const Bonds> bonds = {};
 };
 
 /// Reads a scene and says what will be computed. \param scene  to be solved

@@ -40,6 +40,8 @@ struct Solution {
   /// What a user should know: the notes of the plan, then such as that other solutions exist, that forces are not determined, or that strains are large.
   std::vector<std::string> notes;
   Ledger ledger;  ///< what it cost
+  Eigen::VectorXd equation_force = {};  ///< of each equation of the bonds [force]; empty without
+  std::vector<NodeArray> bond_forces = {};  ///< what they do to the nodes of each body [force]
 };
 
 /// Has the back end of the model factor K, and make the compliance of the rows of A.

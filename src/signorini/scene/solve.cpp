@@ -93,6 +93,11 @@ SolveCondensed& way() {
   static SolveCondensed now = solve_plainly;
   return now;
 }
+// An add-on with equations may need several solutions for one: it asks the way again and again.
+SolveAround& around() {
+  static SolveAround now = nullptr;
+  return now;
+}
 // The ledger counts whole operations.
 long long one_solve(const Condensed& condensed) {
   return static_cast<long long>(condensed.factor.solve_operations());
@@ -152,18 +157,6 @@ CondensedProgramme condensed_programme(const Condensed& condensed, Ledger& ledge
       }};
 }
 
-// A solver that meets an infinite number blames its caller. Here the caller is the library,
-// and the number comes from the units of the scene.
-void check_numbers(const ContactProblem& problem) {
-  try {
-    check_finite(problem);
-  } catch (const std::invalid_argument& error) {
-    throw ProblemError(text("the scene cannot be solved in these units: ", error.what(),
-                            "; look for a modulus, thickness, load, friction or length that is far "
-                            "larger or smaller than the others"));
-  }
-}
-
 // From unknowns to what is looked at: pressures, displacements of nodes, the balance of what
 // is told. Checks look at solutions only: notes on the strains of an unsolved problem would
 // mislead. They may withdraw one, as where pairs have slid off the sides that they faced. An
@@ -201,9 +194,12 @@ Solution solve_plainly(const Model& model, const Condensed& condensed, const Sol
 // Every solve() below asks the slot, so that a program that has set another way cannot get
 // the old one by mistake.
 void set_solve(SolveCondensed another) { way() = another; }
+void set_solve_around(SolveAround another) { around() = another; }
 // Chapters that compare methods name the solver. All others take that of the scene.
 Solution solve(const Model& model, const Condensed& condensed, const Solver& solver, Ledger ledger,
                const SolverOptions& options) {
+  if (model.equations && around() != nullptr)
+    return around()(way(), model, condensed, solver, std::move(ledger), options);
   return way()(model, condensed, solver, std::move(ledger), options);
 }
 Solution solve(const Model& model, const Condensed& condensed, Ledger ledger) {

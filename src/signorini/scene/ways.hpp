@@ -31,6 +31,15 @@ using SolveCondensed = Solution (*)(const Model& model, const Condensed& condens
 /// beginning. \param another  the way of an add-on
 void set_solve(SolveCondensed another);
 
+/// A way that asks another one, several times if need be.
+using SolveAround = Solution (*)(SolveCondensed way, const Model& model, const Condensed& condensed,
+                                 const Solver& solver, Ledger ledger,
+                                 const SolverOptions& options);
+
+/// Puts a way around that of set_solve(), for models with equations. A program does so at its beginning.
+/// \param another  the way of an add-on
+void set_solve_around(SolveAround another);
+
 /// \param condensed  from condense(); must outlive what is returned
 /// \param ledger     counts the operations of every solve; must outlive it too
 /// \return the condensed problem, and how to solve with K

@@ -1,0 +1,61 @@
+// This header is internal: chapters do not include it, and it is not installed.
+/// \file
+/// What holds bodies together: equations between displacements, as a scene asks for them, and springs in their place.
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "signorini/scene/scene.hpp"
+
+namespace signorini {
+
+/// Two sides whose gap stays what it is: they carry tension as well as pressure. A rigid obstacle may be the target.
+struct Tie {
+  ContactSpec sides;    ///< source, target and operator: what else a contact may have is none of a tie
+  bool slides = false;  ///< whether the source may slide along the target, without friction
+  /// Whether gaps and overlaps of the meshes are closed, which strains the bodies. Without it the sides stay as far apart as the
+  /// meshes have them, such as straight edges of two meshes along one curve.
+  bool closes = false;
+  /// Springs all along the sides in the place of the tie, at rest as the meshes are: along the normal, and along the tangent,
+  /// not negative [force/length^3]
+  std::optional<Eigen::Vector2d> stiffness = {};
+};
+
+/// A part of a linear relation: how far nodes move in a direction.
+struct RelationTerm {
+  Side side;                                    ///< all nodes of it
+  std::optional<Eigen::Vector2d> only_at = {};  ///< or the one there [length]
+  Eigen::Vector2d along = {1, 0};               ///< the displacement is multiplied by this [-]
+  double times = 1;                             ///< and by this [-]
+};
+
+/// Terms that add up to a number: one equation, or, if terms are of all nodes of a side, one for each of these, in order along
+/// the sides, which a shift must take to each other. Terms of one node stand in all of them.
+struct Relation {
+  std::vector<RelationTerm> terms;        ///< one or more
+  double right = 0;                       ///< what they add up to [length]
+  std::optional<double> stiffness = {};   ///< a spring in the place of the equation, > 0 [force/length]
+};
+
+/// A side that moves as a rigid body: a shift and a turn, each prescribed, or driven by forces, or neither.
+struct RigidSide {
+  Side side;                                          ///< all its nodes
+  Eigen::Vector2d centre = Eigen::Vector2d::Zero();   ///< point that x and y are of, and force acts on [length]
+  std::optional<double> x = {};                       ///< shift of the centre [length]
+  std::optional<double> y = {};                       ///< shift of the centre [length]
+  std::optional<double> turn = {};                    ///< anticlockwise [rad], small
+  Eigen::Vector2d force = Eigen::Vector2d::Zero();    ///< on the centre [force]
+  double moment = 0;                                  ///< anticlockwise [force length]
+};
+
+/// All of a scene, see Scene::bonds.
+struct Bonds {
+  std::vector<Tie> ties = {};  ///< none by default
+  /// Numbers of contacts of the scene whose pairs never lift off; none by default. Pairs in tension have forces and
+  /// pressures < 0, and rub as pairs in compression do.
+  std::vector<std::size_t> two_sided = {};
+  std::vector<Relation> relations = {};  ///< none by default
+  std::vector<RigidSide> rigid = {};     ///< none by default
+};
+
+}  // namespace signorini

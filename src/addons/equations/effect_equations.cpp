@@ -1,0 +1,147 @@
+// Bonds: equations between displacements, which hold whatever the forces are.
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "addons/equations/bonds.hpp"
+#include "addons/equations/equations.hpp"
+#include "addons/equations/register.hpp"
+#include "signorini/core/errors.hpp"
+#include "signorini/core/index.hpp"
+#include "signorini/core/rounding.hpp"
+#include "signorini/core/wording.hpp"
+#include "signorini/scene/bodies.hpp"
+#include "signorini/scene/checks.hpp"
+#include "signorini/scene/effects.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+void check_bonds(const Scene& scene) {
+  bool moves = scene.moves;
+  for (const Body& body : scene.bodies) moves = moves || body.material.law != nullptr;
+  require_input(!moves,
+                "bonds are equations between small displacements, and bodies of this scene move: "
+                "leave the bonds out, or moves and law");
+}
+
+NodalRows matrix_of(const std::vector<Equation>& rows, Index components) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    for (const auto& [component, value] : rows[k].terms)
+      entries.emplace_back(static_cast<int>(k), static_cast<int>(component), value);
+  NodalRows matrix(static_cast<Index>(rows.size()), components);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+const Bond& bond_of(const Equations& all, Index row) {
+  for (const Bond& bond : all.bonds)
+    if (at(row) < bond.behind) return bond;
+  return all.bonds.back();
+}
+
+/// What messages call an equation.
+std::string in_words(const Equations& all, Index row, const Plan& draft) {
+  const Index node = all.rows[at(row)].terms.front().first / 2;
+  const BodyModel& body = draft.bodies[body_of_node(draft.bodies, node)];
+  const Eigen::RowVector2d x = body.mesh.nodes.row(node - body.first_node);
+  return text(bond_of(all, row).what, " at ", in_brackets(x), " of '", body.mesh.name, '\'');
+}
+
+/// Those that repeat others: supports may say all of an equation, as on a line of symmetry that two bodies share.
+void note_repeated(const Equations& all, const NodalRows& free, Plan& draft) {
+  std::vector<Index> twice;
+  for (const Index row : all.solved.repeated)
+    if (NodalRows::InnerIterator(free, row)) twice.push_back(row);
+  if (!twice.empty())
+    draft.notes.push_back(text(twice.size(), " of ", all.held.size(),
+                               " equations say what others say, and are left out; the first: ",
+                               in_words(all, twice.front(), draft)));
+}
+
+/// Solves the equations for unknowns, refuses those that contradict others, and notes those that repeat them.
+void solve_rows(Plan& draft, Equations& all) {
+  const Index count = static_cast<Index>(all.rows.size());
+  const NodeArray& held = draft.unknowns.held;
+  const VectorXd given = all.matrix * Eigen::Map<const VectorXd>(held.data(), held.size());
+  const double far = largest(VectorXd(Eigen::Map<const VectorXd>(held.data(), held.size())));
+  VectorXd right(count);
+  VectorXd rounding(count);
+  std::vector<Index> own;
+  for (Index k = 0; k < count; ++k) {
+    const Equation& row = all.rows[at(k)];
+    right(k) = row.right - given(k);
+    rounding(k) = row.rounding + 64 * epsilon * far;
+    own.push_back(row.own < 0 ? -1 : draft.unknowns.number(row.own / 2, row.own % 2));
+    if (!row.stiffness) all.held.push_back(k);
+  }
+  const NodalRows free = free_columns(all.matrix, draft.unknowns);
+  all.solved = eliminate(free, right, rounding, own, all.held);
+  const std::vector<Index>& wrong = all.solved.contradicting;
+  require_input(wrong.empty(), wrong.size(), " equations contradict others or supports, the first: ",
+                wrong.empty() ? "" : in_words(all, wrong.front(), draft),
+                ". Leave out one of those that hold the same displacement");
+  note_repeated(all, free, draft);
+}
+
+/// The pairs of contacts that never lift off.
+void add_two_sided(const Bonds& bonds, Plan& draft, Equations& all) {
+  for (const std::size_t contact : bonds.two_sided) {
+    require_input(contact < draft.contacts.size(), "bonds: the scene has no contact number ",
+                  contact, ", counted from 0");
+    draft.on.push_back(text("contact ", draft.contacts[contact], ": its pairs never lift off"));
+  }
+  for (std::size_t pair = 0; pair < draft.contact_of.size(); ++pair)
+    if (std::find(bonds.two_sided.begin(), bonds.two_sided.end(), draft.contact_of[pair]) !=
+        bonds.two_sided.end())
+      all.two_sided.push_back(static_cast<Index>(pair));
+}
+
+void declare_equations(const Scene& scene, Plan& draft) {
+  check_bonds(scene);
+  const auto all = std::make_shared<Equations>();
+  for (const Tie& tie : scene.bonds->ties) add_tie(tie, draft, *all);
+  std::size_t number = 0;
+  for (const Relation& relation : scene.bonds->relations)
+    add_relation(relation, ++number, draft, *all);
+  for (const RigidSide& rigid : scene.bonds->rigid) add_rigid(rigid, draft, *all);
+  all->matrix = matrix_of(all->rows, 2 * count_nodes(draft.bodies));
+  solve_rows(draft, *all);
+  add_two_sided(*scene.bonds, draft, *all);
+  draft.modes = motions_left(std::move(draft.modes), free_columns(all->matrix, draft.unknowns),
+                             all->solved);
+  draft.equations = all;
+  draft.finish = take_equations;
+}
+
+}  // namespace
+
+NodalRows free_columns(const NodalRows& rows, const Unknowns& unknowns) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Index row = 0; row < rows.rows(); ++row)
+    for (NodalRows::InnerIterator it(rows, row); it; ++it)
+      if (const Index unknown = unknowns.number(it.col() / 2, it.col() % 2); unknown >= 0)
+        entries.emplace_back(static_cast<int>(row), static_cast<int>(unknown), it.value());
+  NodalRows free(rows.rows(), unknowns.count);
+  free.setFromTriplets(entries.begin(), entries.end());
+  return free;
+}
+
+void register_equations() {
+  add_effect({"equations",
+              [](const Scene& scene, const Plan& /*draft*/) {
+                const Bonds* const bonds = scene.bonds.get();
+                return bonds != nullptr && !(bonds->ties.empty() && bonds->two_sided.empty() &&
+                                             bonds->relations.empty() && bonds->rigid.empty());
+              },
+              declare_equations, nullptr},
+             "rigid motions");
+  set_solve_around(solve_two_sided);
+  add_check({"equations", nullptr, nullptr, nullptr, nullptr, judge_equations});
+}
+
+}  // namespace signorini

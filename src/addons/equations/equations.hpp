@@ -1,0 +1,119 @@
+// This header is internal: chapters do not include it, and it is not installed.
+/// \file
+/// Equations between displacement components, solved for one unknown each.
+#pragma once
+#include <Eigen/SparseCore>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "addons/equations/eliminate.hpp"
+#include "signorini/scene/ways.hpp"
+
+namespace signorini {
+
+struct Relation;
+struct RigidSide;
+struct Tie;
+
+/// A row that holds with =: the sum of coefficients times displacement components is `right`. Or a spring on what it lacks.
+struct Equation {
+  /// Component of a node, 2 * node + axis with the nodes of all bodies one after another, and its coefficient [-].
+  std::vector<std::pair<Eigen::Index, double>> terms = {};
+  double right = 0;        ///< [length]
+  double rounding = 0;     ///< of `right` [length]
+  Eigen::Index own = -1;   ///< component to solve it for; -1: any
+  Eigen::Index pair = -1;  ///< of its bond, of whose rows it is a combination; -1: none
+  std::optional<double> stiffness = {};  ///< of a spring in its place [force/length]
+  double opening = 0;      ///< how much of the row of the gap is in it
+  double sliding = 0;      ///< and of that of the slip
+};
+
+/// Equations of one origin.
+struct Bond {
+  std::string name;        ///< as tables have it, such as "upper.bottom to lower.top"
+  std::string what;        ///< as messages have it
+  Pairs pairs = {};        ///< of a tie
+  std::vector<Eigen::Index> nodes = {};  ///< without pairs: those whose forces are told, among all nodes
+  std::size_t first = 0;   ///< of its equations
+  std::size_t behind = 0;  ///< the one behind its last
+};
+
+/// The equations of a plan.
+struct Equations {
+  std::vector<Bond> bonds = {};     ///< in the order of the scene
+  std::vector<Equation> rows = {};  ///< `m` of all bonds
+  NodalRows matrix = {};            ///< C `m x 2 n_nodes` of the terms
+  std::vector<Eigen::Index> held = {};  ///< numbers of the rows that hold, those that are no springs
+  std::vector<std::pair<Eigen::Index, double>> loads = {};  ///< of rigid sides: component and force [force]
+  Eliminated solved = {};           ///< for unknowns
+  std::vector<Eigen::Index> two_sided = {};  ///< pairs that never lift off, increasing
+};
+
+/// What a bond carries in sum.
+struct BondForces {
+  std::string name;                                 ///< of the bond
+  bool has_sides = false;                           ///< whether it is a tie, which has pressures
+  Eigen::Vector2d force = Eigen::Vector2d::Zero();  ///< on the source, or on the nodes of the bond [force]
+  double moment = 0;                                ///< of it about the origin [force length]
+  double least_pressure = 0;    ///< of a pair [force/length^2], tension < 0
+  double largest_pressure = 0;  ///< of a pair [force/length^2], compression > 0
+  double largest_shear = 0;     ///< magnitude, of a pair [force/length^2]
+};
+
+/// \param model     that was solved, with equations
+/// \param solution  of it, Solved
+/// \return the sums of each bond
+[[nodiscard]] std::vector<BondForces> bond_forces(const Model& model, const Solution& solution);
+
+/// Writes the equations of a tie. \param tie  of the scene \param draft  knows bodies and supports
+/// \param all  gets a bond and its rows
+/// \throws ProblemError for sides that cannot be paired, or an operator whose pairs are no nodes
+void add_tie(const Tie& tie, Plan& draft, Equations& all);
+
+/// Writes the equations of a relation. \param relation  of the scene \param number  of it, from 1
+/// \param draft  knows bodies \param all  gets a bond and its rows
+/// \throws ProblemError for terms that say nothing, or nodes that do not match
+void add_relation(const Relation& relation, std::size_t number, Plan& draft, Equations& all);
+
+/// Writes the equations of a rigid side. \param rigid  of the scene \param draft  knows bodies \param all  gets a bond and its rows
+/// \throws ProblemError for numbers that are not finite, and in axial symmetry
+void add_rigid(const RigidSide& rigid, Plan& draft, Equations& all);
+
+/// The columns of unknowns.
+/// \param rows      `m x 2 n_nodes` \param unknowns  `n` \return `m x n`
+[[nodiscard]] NodalRows free_columns(const NodalRows& rows, const Unknowns& unknowns);
+
+/// Takes equations into K, p, A and g of a model, in whose place they then hold for every u that has the least energy.
+///
+/// With \f$ u_e = R u + s \f$ the energy of all others is that of \f$ T u + s \f$, T being 1 but for the rows R, and
+/// a spring on \f$ u_e - R u - s \f$ makes the eliminated unknowns what the equations say: at the minimum it is at rest.
+/// \param model  whose effects have all added what they have
+void take_equations(Model& model);
+
+/// Motions that equations leave of those that supports leave.
+/// \param modes   `n_r` rigid motions \param free  C on the unknowns `m x n` \param solved  the same
+/// \return independent combinations, whose eliminated unknowns are exactly what the others say
+[[nodiscard]] std::vector<FreeMotion> motions_left(std::vector<FreeMotion> modes,
+                                                   const NodalRows& free,
+                                                   const Eliminated& solved);
+
+/// Solves a model whose pairs may not all lift off, by solutions of models in which each of them presses from one of two sides.
+/// \param way        of one solution
+/// \param model      from build(), with equations
+/// \param condensed  from condense() of it
+/// \param solver     a member of its family that takes friction where pairs have friction
+/// \param ledger     goes on in the solution
+/// \param options    handed to the solver
+/// \return the solution; one without pairs that never lift off is that of the way
+[[nodiscard]] Solution solve_two_sided(SolveCondensed way, const Model& model,
+                                       const Condensed& condensed, const Solver& solver,
+                                       Ledger ledger, const SolverOptions& options);
+
+/// Measures what is left of the equations of a solution, and finds their forces.
+/// \param model  that was solved \param condensed  from condense() of it
+/// \param solution  Solved; gets `equation_force` and `bond_forces`, and is withdrawn if its certificate no longer holds
+void judge_equations(const Model& model, const Condensed& condensed, Solution& solution);
+
+}  // namespace signorini

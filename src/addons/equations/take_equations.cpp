@@ -1,0 +1,123 @@
+#include <utility>
+
+#include "addons/equations/equations.hpp"
+#include "signorini/core/index.hpp"
+#include "signorini/scene/bodies.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+using Sparse = Eigen::SparseMatrix<double>;
+
+/// T, which gives all unknowns by those that are not eliminated, or E, which tells what the eliminated ones differ by from
+/// what the equations say.
+Sparse rows_of(const Eliminated& solved, Index unknowns, bool of_difference) {
+  const Index count = static_cast<Index>(solved.unknown.size());
+  std::vector<Eigen::Triplet<double>> entries;
+  std::vector<bool> eliminated(at(unknowns), false);
+  const auto add = [&](Index row, Index column, double value) {
+    entries.emplace_back(static_cast<int>(row), static_cast<int>(column), value);
+  };
+  for (Index k = 0; k < count; ++k) {
+    const Index own = solved.unknown[at(k)];
+    eliminated[at(own)] = true;
+    if (of_difference) add(k, own, 1);
+    for (NodalRows::InnerIterator entry(solved.by, k); entry; ++entry)
+      add(of_difference ? k : own, entry.col(), of_difference ? -entry.value() : entry.value());
+  }
+  for (Index i = 0; !of_difference && i < unknowns; ++i)
+    if (!eliminated[at(i)]) add(i, i, 1);
+  Sparse rows(of_difference ? count : unknowns, unknowns);
+  rows.setFromTriplets(entries.begin(), entries.end());
+  return rows;
+}
+
+/// Exactly symmetric, as K is: of two sums in another order the lower one counts.
+Sparse symmetric(const Sparse& matrix) {
+  const Sparse lower = matrix.triangularView<Eigen::Lower>();
+  return lower.selfadjointView<Eigen::Lower>();
+}
+
+class Taking {
+ public:
+  explicit Taking(Model& model)
+      : model_(model),
+        all_(*model.equations),
+        T_(rows_of(all_.solved, model.unknowns.count, false)),
+        E_(rows_of(all_.solved, model.unknowns.count, true)),
+        C_(free_columns(all_.matrix, model.unknowns)),
+        stiffness_(static_cast<Index>(all_.rows.size())),
+        pushes_(VectorXd::Zero(model.unknowns.count)) {
+    for (Index k = 0; k < stiffness_.size(); ++k)
+      stiffness_(k) = all_.rows[at(k)].stiffness.value_or(0);
+    Sparse& K = model.programme.stiffness;
+    if (stiffness_.size() > static_cast<Index>(all_.held.size()))
+      K += symmetric(Sparse(C_.transpose()) * Sparse(stiffness_.asDiagonal() * C_));
+    springs_ = VectorXd(K.diagonal())(all_.solved.unknown);
+    for (const auto& [component, force] : all_.loads)
+      if (const Index k = model.unknowns.number(component / 2, component % 2); k >= 0)
+        pushes_(k) += force;
+  }
+
+  /// Changes p and g. \param right  h `m` \param load  p \param movement  g
+  /// \param pushed  whether p has what drives rigid sides
+  void take(const VectorXd& right, bool pushed, VectorXd& load, VectorXd& movement) const {
+    const QuadraticProgramme& programme = model_.programme;
+    const VectorXd given = all_.solved.right * right;
+    VectorXd shift = VectorXd::Zero(load.size());
+    shift(all_.solved.unknown) = given;
+    if (pushed) load += pushes_;
+    load += C_.transpose() * stiffness_.cwiseProduct(right);
+    const VectorXd rest = load - programme.stiffness * shift;
+    load = T_.transpose() * rest + E_.transpose() * springs_.cwiseProduct(given);
+    movement -= programme.A * shift;
+  }
+
+  void take_matrices() {
+    QuadraticProgramme& programme = model_.programme;
+    programme.A = NodalRows(programme.A * T_);
+    programme.A.prune(0.0);
+    const Sparse moved = programme.stiffness * T_;
+    const Sparse pulled = springs_.asDiagonal() * E_;
+    programme.stiffness = symmetric(Sparse(T_.transpose() * moved) + Sparse(E_.transpose() * pulled));
+    programme.stiffness.makeCompressed();
+  }
+
+  /// h of given displacements. \param held  `n_nodes x 2` of all bodies
+  [[nodiscard]] VectorXd right_of(const NodeArray& held) const {
+    return -(all_.matrix * Eigen::Map<const VectorXd>(held.data(), held.size()));
+  }
+
+ private:
+  Model& model_;
+  const Equations& all_;
+  Sparse T_, E_;
+  NodalRows C_;         // on the unknowns
+  VectorXd stiffness_;  // of rows that are springs
+  VectorXd pushes_;     // p of what drives rigid sides
+  VectorXd springs_;    // on the differences of eliminated unknowns from what the equations say
+};
+
+}  // namespace
+
+void take_equations(Model& model) {
+  Taking taking(model);
+  VectorXd constant(static_cast<Index>(model.equations->rows.size()));
+  for (Index k = 0; k < constant.size(); ++k) constant(k) = model.equations->rows[at(k)].right;
+  QuadraticProgramme& programme = model.programme;
+  taking.take(constant + taking.right_of(model.unknowns.held), true, programme.load,
+              programme.initial_gap);
+  for (LoadPart& part : model.parts) {
+    NodeArray held(count_nodes(model.bodies), 2);
+    for (std::size_t b = 0; b < model.bodies.size(); ++b)
+      held.middleRows(model.bodies[b].first_node, part.held[b].rows()) = part.held[b];
+    VectorXd right = taking.right_of(held);
+    if (part.history.empty()) right += constant;
+    taking.take(right, part.history.empty(), part.load, part.movement);
+  }
+  taking.take_matrices();
+}
+
+}  // namespace signorini

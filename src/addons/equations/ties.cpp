@@ -1,0 +1,150 @@
+// Two sides that hold together: the rows of their gaps and slips, as equations.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "addons/equations/bonds.hpp"
+#include "addons/equations/equations.hpp"
+#include "signorini/core/errors.hpp"
+#include "signorini/core/index.hpp"
+#include "signorini/scene/bodies.hpp"
+#include "signorini/scene/contact_input.hpp"
+#include "signorini/scene/pair_up.hpp"
+#include "signorini/scene/readings.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::Vector2d;
+
+/// Of a row that is a combination, what is left of entries that cancel.
+constexpr double left_over = 1e-14;
+
+bool held(const Plan& draft, Index component) {
+  return draft.unknowns.number(component / 2, component % 2) < 0;
+}
+
+/// A combination of the rows of a pair.
+Equation combined(const Pairs& pairs, const NodalRows& slips, Index pair, double opening,
+                  double sliding) {
+  const Eigen::SparseVector<double> row =
+      opening * pairs.opening.row(pair).transpose() + sliding * slips.row(pair).transpose();
+  const double most = row.nonZeros() > 0 ? row.coeffs().abs().maxCoeff() : 0;
+  Equation equation;
+  for (Eigen::SparseVector<double>::InnerIterator entry(row); entry; ++entry)
+    if (std::abs(entry.value()) > left_over * most)
+      equation.terms.emplace_back(entry.index(), entry.value());
+  equation.right = -opening * pairs.initial_gap(pair);
+  equation.rounding = (std::abs(opening) + std::abs(sliding)) * gap_rounding(pairs);
+  equation.pair = pair;
+  equation.opening = opening;
+  equation.sliding = sliding;
+  return equation;
+}
+
+/// Whether supports take the place of a row: they hold its node, and what this faces in part. If they hold all of that, the row
+/// says whether they close the gap.
+bool between_supports(const Plan& draft, const Equation& row, Index own) {
+  const auto given = std::count_if(row.terms.begin(), row.terms.end(), [&](const auto& term) {
+    return held(draft, term.first);
+  });
+  return held(draft, own) && given > 1 && given < static_cast<std::ptrdiff_t>(row.terms.size());
+}
+
+/// The rows of a pair: one along its normal, or one along each axis, so that a support that holds a node along x takes the
+/// place of one of them.
+std::vector<Equation> rows_of(const Pairs& pairs, const NodalRows& slips, Index pair, Index node,
+                              const Plan& draft, bool slides) {
+  const Vector2d n = pairs.normal.row(pair).transpose();
+  std::vector<Equation> rows;
+  if (slides) {
+    rows.push_back(combined(pairs, slips, pair, 1, 0));
+    const int across = std::abs(n.y()) >= std::abs(n.x()) ? 1 : 0;
+    const bool other = held(draft, 2 * node + across) && std::abs(n(1 - across)) > left_over;
+    rows.back().own = 2 * node + (other ? 1 - across : across);
+    return rows;
+  }
+  const double size = n.squaredNorm();
+  rows.push_back(combined(pairs, slips, pair, n.x() / size, n.y() / size));
+  rows.push_back(combined(pairs, slips, pair, n.y() / size, -n.x() / size));
+  for (int axis = 0; axis < 2; ++axis) rows[at(axis)].own = 2 * node + axis;
+  return rows;
+}
+
+/// What is done about gaps of the meshes, in words for the plan; nothing if there are none.
+std::string fit(const Tie& tie, Pairs& pairs) {
+  const double rounding = gap_rounding(pairs);
+  const Eigen::ArrayXd gap = pairs.initial_gap;
+  const double apart = gap.size() > 0 ? gap.abs().maxCoeff() : 0;
+  const bool closes = tie.closes && !tie.stiffness;
+  pairs.initial_gap = (gap.abs() <= (closes ? rounding : apart)).select(0, gap);
+  if (apart <= rounding) return "";
+  return text(", gaps and overlaps of up to ", apart, closes ? " closed" : " stay");
+}
+
+/// Nodes that no row holds: the side is longer than what it faces.
+void note_unpaired(const std::string& what, const Pairs& pairs, Plan& draft) {
+  if (!pairs.unpaired.empty())
+    draft.notes.push_back(text(what, ": ", pairs.unpaired.size(),
+                               pairs.unpaired.size() == 1 ? " node faces" : " nodes face",
+                               " no target and hold nothing"));
+}
+
+void check_tie(const ContactSpec& sides, const std::string& what, const Pairs& pairs) {
+  require_input(!sides.friction && !sides.interference && !sides.adjust, what,
+                ": friction, interference and adjusted gaps are those of a contact: leave them out");
+  require_input(
+      std::none_of(pairs.node.begin(), pairs.node.end(), [](Index node) { return node < 0; }), what,
+      ": the operator ", sides.gap_operator,
+      " has more pairs than the nodes of a side can follow: take mortar or node_to_segment");
+}
+
+std::string name_of(const Tie& tie, const Plan& draft) {
+  std::string name = contact_names(draft.bodies, {tie.sides}).front();
+  return name.replace(name.find(" on "), 4, tie.slides ? " along " : " to ");
+}
+
+/// Springs along the normal and along the tangent of each pair, at rest as the meshes are.
+void add_springs(const Vector2d& stiffness, const Bond& bond, const NodalRows& slips,
+                 std::vector<Equation>& rows) {
+  require_input(stiffness.allFinite() && stiffness.minCoeff() >= 0, bond.what,
+                ": a stiffness must be a number >= 0, got (", stiffness.x(), ", ", stiffness.y(), ')');
+  for (Index pair = 0; pair < bond.pairs.weight.size(); ++pair)
+    for (const int across : {0, 1}) {
+      if (stiffness(across) == 0) continue;
+      rows.push_back(combined(bond.pairs, slips, pair, 1 - across, across));
+      rows.back().stiffness = stiffness(across) * bond.pairs.weight(pair);
+    }
+}
+
+}  // namespace
+
+void add_tie(const Tie& tie, Plan& draft, Equations& all) {
+  Bond bond;
+  bond.what = describe(draft.bodies, tie.sides)
+                  .replace(0, 7, tie.stiffness ? "elastic tie" : tie.slides ? "sliding tie" : "tie");
+  bond.name = name_of(tie, draft);
+  bond.pairs = pair_up(tie.sides, draft.bodies, false, nullptr);
+  check_tie(tie.sides, bond.what, bond.pairs);
+  check_obstacle_side(tie.sides, draft.bodies, bond.pairs);
+  const std::string fitted = fit(tie, bond.pairs);
+  note_unpaired(bond.what, bond.pairs, draft);
+  const NodalRows slips = turned(bond.pairs.opening);
+  const Index first_node = draft.bodies[body_index(draft.bodies, tie.sides.source)].first_node;
+  bond.first = all.rows.size();
+  if (tie.stiffness) add_springs(*tie.stiffness, bond, slips, all.rows);
+  for (Index pair = 0; pair < bond.pairs.initial_gap.size() && !tie.stiffness; ++pair) {
+    const Index node = first_node + bond.pairs.node[at(pair)];
+    for (Equation& row : rows_of(bond.pairs, slips, pair, node, draft, tie.slides))
+      if (!between_supports(draft, row, row.own)) all.rows.push_back(std::move(row));
+  }
+  bond.behind = all.rows.size();
+  const bool rigid = std::holds_alternative<Obstacle>(tie.sides.target);
+  draft.on.push_back(text(bond.what, ": ", bond.behind - bond.first,
+                          tie.stiffness ? " springs" : " equations",
+                          rigid ? std::string() : " by " + tie.sides.gap_operator, fitted));
+  all.bonds.push_back(std::move(bond));
+}
+
+}  // namespace signorini

@@ -1,0 +1,171 @@
+// Pairs that never lift off, with friction. Of a pair in tension the other side presses: turned round, its gap is minus its gap
+// and its force minus its force, and all laws of contact hold again, friction with the magnitude of the force too. So a
+// solution of the turned problem in which none of these pairs is open is one of the problem that was posed.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "addons/equations/equations.hpp"
+#include "signorini/core/dense.hpp"
+#include "signorini/core/index.hpp"
+#include "signorini/core/rounding.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// The forces of all pairs as first guessed are those without friction or with all; a few turn round then.
+constexpr int most_solutions = 25;
+
+ContactStatus turned(ContactStatus status) {
+  if (status == ContactStatus::SlipForward) return ContactStatus::SlipBackward;
+  if (status == ContactStatus::SlipBackward) return ContactStatus::SlipForward;
+  return status;
+}
+
+/// A model of which some pairs are turned round, their slips with them.
+class Turned {
+ public:
+  Turned(const Model& model, const Condensed& condensed)
+      : model_(model),
+        condensed_(condensed),
+        sign_(VectorXd::Ones(model.programme.A.rows())),
+        pairs_(condensed.problem.free_gap.size()) {
+    model_.followed.reset();  // pairs that are found again face the other way
+  }
+
+  void turn(const std::vector<Index>& some);
+  [[nodiscard]] Solution solved(SolveCondensed way, const Solver& solver, Ledger ledger,
+                                SolverOptions options) const;
+  /// Turns the numbers of a solution back.
+  void turn_back(Solution& solution) const;
+  /// Those of the pairs that are open in a solution, by more than rounding.
+  [[nodiscard]] std::vector<Index> open(const Solution& solution,
+                                        const std::vector<Index>& pairs) const;
+
+ private:
+  void turn_row(Index row);
+
+  Model model_;
+  Condensed condensed_;
+  VectorXd sign_;  // of each row of A
+  Index pairs_;
+};
+
+void Turned::turn_row(Index row) {
+  ContactProblem& problem = condensed_.problem;
+  problem.compliance.row(row) *= -1;
+  problem.compliance.col(row) *= -1;
+  if (problem.rigid.rows() > 0) problem.rigid.row(row) *= -1;
+  (row < pairs_ ? problem.free_gap(row) : problem.free_slip(row - pairs_)) *= -1;
+  model_.programme.A.row(row) *= -1;
+  model_.programme.initial_gap(row) *= -1;
+  sign_(row) *= -1;
+}
+
+void Turned::turn(const std::vector<Index>& some) {
+  Pairs& pairs = model_.pairs;
+  for (const Index pair : some) {
+    turn_row(pair);
+    pairs.opening.row(pair) *= -1;
+    if (pairs.sliding.rows() > pair) pairs.sliding.row(pair) *= -1;
+    pairs.initial_gap(pair) *= -1;
+    for (NodeArray* means : {&pairs.normal, &pairs.moment, &pairs.target_moment})
+      means->row(pair) *= -1;
+  }
+  const std::vector<Index>& frictional = model_.law.pair;
+  for (std::size_t k = 0; k < frictional.size(); ++k)
+    if (std::find(some.begin(), some.end(), frictional[k]) != some.end())
+      turn_row(pairs_ + static_cast<Index>(k));
+}
+
+Solution Turned::solved(SolveCondensed way, const Solver& solver, Ledger ledger,
+                        SolverOptions options) const {
+  for (std::size_t pair = 0; pair < options.start.size(); ++pair)
+    if (sign_(static_cast<Index>(pair)) < 0) options.start[pair] = turned(options.start[pair]);
+  return way(model_, condensed_, solver, std::move(ledger), options);
+}
+
+void Turned::turn_back(Solution& solution) const {
+  ContactState& state = solution.contact;
+  if (state.force.size() != pairs_) return;
+  const VectorXd of_slips = sign_.tail(sign_.size() - pairs_);
+  for (VectorXd* numbers : {&state.force, &state.gap, &solution.pressure})
+    if (numbers->size() == pairs_) *numbers = numbers->cwiseProduct(sign_.head(pairs_));
+  for (VectorXd* numbers : {&state.friction, &state.slip})
+    *numbers = numbers->cwiseProduct(of_slips);
+  for (std::size_t k = 0; k < state.contact_status.size(); ++k)
+    if (of_slips(static_cast<Index>(k)) < 0)
+      state.contact_status[k] = turned(state.contact_status[k]);
+  if (solution.refined.force.size() == sign_.size())
+    solution.refined.force = solution.refined.force.cwiseProduct(sign_);
+}
+
+std::vector<Index> Turned::open(const Solution& solution, const std::vector<Index>& pairs) const {
+  double farthest = 0;
+  for (const NodeArray& u : solution.displacements)
+    farthest = std::max(farthest, u.cwiseAbs().maxCoeff());
+  std::vector<Index> found;
+  for (const Index pair : pairs)
+    if (std::abs(solution.contact.gap(pair)) > certificate_tolerance * farthest)
+      found.push_back(pair);
+  return found;
+}
+
+/// Pairs that would be in tension if nothing else touched, and all of them stuck.
+std::vector<Index> in_tension(const ContactProblem& problem, const FrictionLaw& law,
+                              const std::vector<Index>& pairs) {
+  std::vector<Index> rows = pairs;
+  for (std::size_t k = 0; k < law.pair.size(); ++k)
+    if (std::binary_search(pairs.begin(), pairs.end(), law.pair[k]))
+      rows.push_back(problem.free_gap.size() + static_cast<Index>(k));
+  const Index n = static_cast<Index>(rows.size());
+  const Index modes = problem.resultant.size();
+  MatrixXd matrix = MatrixXd::Zero(n + modes, n + modes);
+  matrix.topLeftCorner(n, n) = problem.compliance(rows, rows);
+  VectorXd right(n + modes);
+  right.head(n) = -free_movement(problem)(rows);
+  if (modes > 0) {
+    const MatrixXd R = problem.rigid(rows, Eigen::all);
+    const double unit = largest(VectorXd(matrix.diagonal())) / R.cwiseAbs().maxCoeff();
+    matrix.topRightCorner(n, modes) = unit * R;
+    matrix.bottomLeftCorner(modes, n) = unit * R.transpose();
+    right.tail(modes) = unit * problem.resultant;
+  }
+  const VectorXd force = least_norm_solution(matrix, right);
+  std::vector<Index> found;
+  for (std::size_t k = 0; k < pairs.size(); ++k)
+    if (force(static_cast<Index>(k)) < 0) found.push_back(pairs[k]);
+  return found;
+}
+
+}  // namespace
+
+Solution solve_two_sided(SolveCondensed way, const Model& model, const Condensed& condensed,
+                         const Solver& solver, Ledger ledger, const SolverOptions& options) {
+  const std::vector<Index>& pairs = model.equations->two_sided;
+  if (pairs.empty()) return way(model, condensed, solver, std::move(ledger), options);
+  Turned side(model, condensed);
+  side.turn(in_tension(condensed.problem, model.law, pairs));
+  for (int count = 1;; ++count) {
+    Solution solution = side.solved(way, solver, ledger, options);
+    ledger = solution.ledger;
+    const bool solved = solution.contact.report.status == SolveStatus::Solved;
+    const std::vector<Index> open = solved ? side.open(solution, pairs) : std::vector<Index>();
+    if (!open.empty() && count < most_solutions) {
+      side.turn(open);
+      continue;
+    }
+    side.turn_back(solution);
+    if (open.empty()) return solution;
+    solution.contact.report.status = SolveStatus::IterationLimit;
+    solution.contact.reason = "pairs that never lift off did not settle on which side presses";
+    return solution;
+  }
+}
+
+}  // namespace signorini

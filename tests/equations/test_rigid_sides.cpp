@@ -1,0 +1,158 @@
+// Sides that move as rigid bodies: prescribed, driven, and free.
+#include <cmath>
+
+#include "addons/equations/bonds.hpp"
+#include "addons/equations/equations.hpp"
+#include "addons/estimate/estimate.hpp"
+#include "addons/steps/steps.hpp"
+#include "catch_compat.hpp"
+#include "signorini/fem/block.hpp"
+#include "signorini/scene/readings.hpp"
+#include "support/message.hpp"
+
+using Eigen::Index;
+using Eigen::Vector2d;
+using namespace signorini;
+using signorini_test::problem_message;
+
+namespace {
+
+/// A block 4 x 2 at (1, 1), of Poisson's ratio nu, its top a rigid side.
+Scene pressed_block(const RigidSide& rigid, double nu, MeshOrder order = MeshOrder::Quadratic) {
+  Scene scene;
+  Body& body = scene.bodies[0];
+  body.mesh = block("block", {1, 1}, {4, 2}, 5, 3, order);
+  body.material = {1000, nu, PlaneState::Stress};
+  body.supports = {fixed("bottom")};
+  Bonds bonds;
+  bonds.rigid = {rigid};
+  scene.bonds = std::make_shared<const Bonds>(bonds);
+  return scene;
+}
+
+RigidSide top() {
+  RigidSide rigid;
+  rigid.side = {"top", "block"};
+  rigid.centre = {2, 4};
+  return rigid;
+}
+
+}  // namespace
+
+TEST_CASE("a rigid side that is moved is a side with given displacements", "[rigid-sides]") {
+  for (const MeshOrder order : {MeshOrder::Linear, MeshOrder::Quadratic}) {
+    RigidSide moved = top();
+    moved.x = 0.002;
+    moved.y = -0.001;
+    moved.turn = 0.003;
+    const Scene scene = pressed_block(moved, 0.3, order);
+    Scene given = scene;
+    given.bonds = nullptr;
+    given.bodies[0].supports = {
+        fixed("bottom"), {"top", true, true, [](const Vector2d& x) {
+                            return Vector2d(0.002 - 0.003 * (x.y() - 4), -0.001 + 0.003 * (x.x() - 2));
+                          }}};
+    const SolvedScene one = solved(scene, "the rigid side");
+    const SolvedScene two = solved(given, "the given one");
+    const NodeArray& u = two.solution.displacements[0];
+    CHECK((one.solution.displacements[0] - u).cwiseAbs().maxCoeff() <=
+          1e-12 * u.cwiseAbs().maxCoeff());
+    Vector2d force = Vector2d::Zero();
+    double moment = 0;
+    const NodeArray supports = support_forces(two.model, two.solution, 0);
+    for (const Index node : boundary_nodes(two.model.bodies[0].mesh, "top")) {
+      const Eigen::RowVector2d x = two.model.bodies[0].mesh.nodes.row(node);
+      force += supports.row(node).transpose();
+      moment += x(0) * supports(node, 1) - x(1) * supports(node, 0);
+    }
+    const BondForces sum = bond_forces(one.model, one.solution).front();
+    CHECK((sum.force - force).norm() <= 1e-10 * force.norm());
+    CHECK(sum.moment == Approx(moment).epsilon(1e-10));
+  }
+}
+
+// What a moved side needs moves it: the same force and moment on its centre give the same motion.
+TEST_CASE("a rigid side that is driven by force and moment goes where these were needed", "[rigid-sides]") {
+  RigidSide moved = top();
+  moved.x = 0.002;
+  moved.y = -0.001;
+  moved.turn = 0.003;
+  const SolvedScene first = solved(pressed_block(moved, 0.3), "the moved side");
+  const BondForces needed = bond_forces(first.model, first.solution).front();
+  RigidSide driven = top();
+  driven.force = needed.force;
+  driven.moment = needed.moment - (2 * needed.force.y() - 4 * needed.force.x());
+  const Scene scene = pressed_block(driven, 0.3);
+  const SolvedScene second = solved(scene, "the driven side");
+  const NodeArray& u = first.solution.displacements[0];
+  CHECK((second.solution.displacements[0] - u).cwiseAbs().maxCoeff() <=
+        1e-11 * u.cwiseAbs().maxCoeff());
+  CHECK((bond_forces(second.model, second.solution)[0].force - needed.force).norm() <=
+        1e-10 * needed.force.norm());
+  CHECK(bond_forces(second.model, second.solution)[0].moment == Approx(needed.moment).epsilon(1e-10));
+  // The same in load steps, where loads are those of the whole path.
+  Scene steps = scene;
+  steps.path = Path{{1, 2}, {}};
+  static_cast<void>(solve_steps(steps, [&](const Model& /*model*/, const Step& step) {
+    CHECK((step.solution.displacements[0] - u).cwiseAbs().maxCoeff() <=
+          1e-11 * u.cwiseAbs().maxCoeff());
+  }));
+}
+
+// With nu = 0, on rollers, a force of -6 at the distance e = 0.5 from the middle makes sigma_yy = -6 / 4 - 6 e x / (4^3 / 12), x
+// from the middle, and no other stress: at the top u_y = h sigma_yy / E, a shift and a turn.
+TEST_CASE("a cushion under a rigid plate and a force beside its middle", "[rigid-sides]") {
+  RigidSide plate = top();
+  plate.centre = {3.5, 3};
+  plate.force = {0, -6};
+  Scene scene = pressed_block(plate, 0);
+  scene.bodies[0].supports = {symmetric("bottom"), prescribed_at("bottom", {1, 1}, Axis::X)};
+  const SolvedScene run = solved(scene, "the cushion");
+  const Mesh& mesh = run.model.bodies[0].mesh;
+  for (const Index node : boundary_nodes(mesh, "top")) {
+    const double x = mesh.nodes(node, 0) - 3;
+    const double sigma = -6.0 / 4 - 6 * 0.5 * x / (64.0 / 12);
+    CHECK(run.solution.displacements[0](node, 1) == Approx(2 * sigma / 1000).epsilon(1e-10));
+  }
+}
+
+// One node of the side follows a history, and the side, which may not turn, follows the node.
+TEST_CASE("a rigid side goes along with a node that a history moves", "[rigid-sides][steps]") {
+  RigidSide level = top();
+  level.turn = 0;
+  Scene scene = pressed_block(level, 0.3);
+  Support pressed = prescribed_at("top", {1, 3}, Axis::Y, -0.002);
+  pressed.history = "press";
+  scene.bodies[0].supports.push_back(pressed);
+  scene.path = Path{{1, 2, 4}, {{"press", {0, 4}, {0, 1}}}};
+  static_cast<void>(solve_steps(scene, [](const Model& model, const Step& step) {
+    CHECK(step.solution.certificate.holds());
+    for (const Index node : boundary_nodes(model.bodies[0].mesh, "top"))
+      CHECK(step.solution.displacements[0](node, 1) ==
+            Approx(-0.002 * step.state.time / 4).epsilon(1e-11));
+  }));
+}
+
+// What is estimated are stresses, and the tractions along a bond belong to nobody's load.
+TEST_CASE("the error of a scene with bonds is not estimated", "[rigid-sides][errors]") {
+  RigidSide level = top();
+  level.y = -0.001;
+  const SolvedScene run = solved(pressed_block(level, 0.3), "the block");
+  CHECK(problem_message([&] {
+          Ledger ledger;
+          static_cast<void>(estimate(run.model, run.condensed, run.solution,
+                                     {"mean", Displacement{"block", Axis::Y, "top"}}, ledger));
+        }).find("leave them out") != std::string::npos);
+}
+
+TEST_CASE("numbers that a rigid side cannot have are refused", "[rigid-sides][errors]") {
+  RigidSide odd = top();
+  odd.moment = std::nan("");
+  CHECK(problem_message([&] { static_cast<void>(plan(pressed_block(odd, 0.3))); })
+            .find("expected finite numbers") != std::string::npos);
+  RigidSide stuck = top();
+  stuck.side = {"bottom", "block"};
+  stuck.y = 0.1;
+  CHECK(problem_message([&] { static_cast<void>(plan(pressed_block(stuck, 0.3))); })
+            .find("equations contradict") != std::string::npos);
+}
