@@ -72,7 +72,7 @@ int main(int argc, char** argv) {
   const auto body = [](const ProgramOptions& options) {
     const bool stacks = measure_stacks(
         options.full ? std::vector<int>{100, 300, 1000} : std::vector<int>{30, 60}, options);
-    const bool piles = measure_piles(options.full ? std::vector<Eigen::Index>{10, 15, 20}
+    const bool piles = measure_piles(options.full ? std::vector<Eigen::Index>{10, 15, 20, 26}
                                                   : std::vector<Eigen::Index>{8},
                                      options);
     std::cout << "\nall as it must be: " << (stacks && piles ? "yes" : "NO") << '\n';

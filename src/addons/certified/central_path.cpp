@@ -30,7 +30,7 @@ constexpr int most_tries = 40;
 }  // namespace
 
 CentralPath::CentralPath(const Eigen::SparseMatrix<double>& compliance, const VectorXd& free,
-                         FrictionLaw law)
+                         FrictionLaw law, double wide)
     : scale_(VectorXd(compliance.diagonal()).cwiseSqrt().cwiseInverse()),
       F_(scale_.asDiagonal() * compliance * scale_.asDiagonal()),
       free_(scale_.cwiseProduct(free)),
@@ -41,7 +41,7 @@ CentralPath::CentralPath(const Eigen::SparseMatrix<double>& compliance, const Ve
   law_.coefficient = law_.coefficient.cwiseProduct(VectorXd(scale_(law_.pair))).cwiseQuotient(own);
   law_.cohesion = law_.cohesion.cwiseQuotient(own);
   const double size = largest(free_);
-  level_ = first_level_ = size * size;
+  level_ = first_level_ = wide * size * size;
   force_.setZero(free_.size());
   force_.head(pairs).setConstant(size);
   room_ = rooms(force_, true);

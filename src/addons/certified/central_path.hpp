@@ -23,7 +23,9 @@ class CentralPath {
   /// \param compliance  F `n_c + n_s`, gaps first, with a positive diagonal
   /// \param free        d, then s; not all 0
   /// \param law         of the frictional pairs, of which each has a coefficient or cohesion
-  CentralPath(const Eigen::SparseMatrix<double>& compliance, const Eigen::VectorXd& free, FrictionLaw law);
+  /// \param wide        gaps at the beginning over the largest free movement [-]: each has a path of its own, short or long
+  CentralPath(const Eigen::SparseMatrix<double>& compliance, const Eigen::VectorXd& free, FrictionLaw law,
+              double wide);
 
   /// Goes on along the path.
   /// \param part  of the m at the beginning that is small enough [-]

@@ -26,8 +26,9 @@ using Triplets = std::vector<Eigen::Triplet<double>>;
 constexpr Index most_sets = 50;
 /// Sets from where sweeps have come: those that are near need few.
 constexpr Index few_sets = 12;
-/// Steps along the central path: piles of a thousand discs took 30 to 400 of them.
-constexpr Index most_steps = 600;
+/// Where central paths begin, see CentralPath. One may be short and the other long: it is left where it has more steps than this.
+constexpr std::array<double, 2> beginnings = {1, 10};
+constexpr Index most_steps = 90;
 /// How small products have to be for a first guess of the set, for a second and for the last: of what they begin with.
 constexpr std::array<double, 3> small_products = {1e-9, 1e-11, 1e-13};
 /// Sweeps over the pairs before the first exchange, and before the last one.
@@ -89,8 +90,10 @@ class SparseSets {
   std::vector<ContactStatus> guessed(ActiveSetSolution numbers);
   /// The exchange, from what soft pairs do.
   bool from_soft_pairs(SparseContactSolution& found);
-  /// The exchange, from the end of the central path.
-  bool from_central_path(SparseContactSolution& found);
+  /// The exchange, from the end of one central path after the other.
+  bool from_central_paths(SparseContactSolution& found);
+  /// The same of one. \param wide  where it begins
+  bool from_central_path(double wide, SparseContactSolution& found);
   /// The exchange, from where sweeps over the pairs have come, after more and more of them.
   bool from_sweeps(SparseContactSolution& found);
   /// Solves a set. \param soft  what closed rows give way by [-] \return whether there are numbers, settled or not
@@ -228,7 +231,8 @@ void SparseSets::settle(const ActiveSet& set) {
 
 bool SparseSets::exchange(Index most, SparseContactSolution& found) {
   std::set<std::vector<ContactStatus>> seen;
-  Index least = units_.pairs();  // changes so far
+  // Fewest changes so far. Of rigid bodies a set with more than twice as many leads away from where it began.
+  Index least = alone() ? units_.pairs() / 16 : units_.pairs();
   for (Index step = 0; step < most && seen.insert(found.statuses).second; ++step) {
     const ActiveSet set = active_set(found.statuses, units_.law);
     ++found.sets;
@@ -236,7 +240,7 @@ bool SparseSets::exchange(Index most, SparseContactSolution& found) {
     settle(set);
     const Index changes = predict(units_, now_, 1, found.statuses);
     if (changes == 0) return settled_;
-    if (alone() && changes > 2 * least + 8) return false;  // it leads away from where sweeps came
+    if (alone() && changes > 2 * least + 8) return false;
     least = std::min(least, changes);
   }
   return false;
@@ -259,13 +263,12 @@ bool SparseSets::from_soft_pairs(SparseContactSolution& found) {
   return exchange(most_sets, found);
 }
 
-bool SparseSets::from_central_path(SparseContactSolution& found) {
-  const FrictionLaw& law = units_.law;
-  if (largest(units_.free) == 0 || !((law.coefficient + law.cohesion).array() > 0).all()) return false;
-  CentralPath path(F_, units_.free, law);
+bool SparseSets::from_central_path(double wide, SparseContactSolution& found) {
+  CentralPath path(F_, units_.free, units_.law, wide);
+  Index steps = 0;
   for (const double part : small_products) {
     const bool reached = path.follow(part, most_steps);
-    found.steps = path.steps();
+    found.steps += path.steps() - std::exchange(steps, path.steps());
     if (!reached) return false;
     ActiveSetSolution near;
     near.force = path.force();
@@ -273,6 +276,13 @@ bool SparseSets::from_central_path(SparseContactSolution& found) {
     if (exchange(few_sets, found)) return true;
   }
   return false;
+}
+
+bool SparseSets::from_central_paths(SparseContactSolution& found) {
+  const FrictionLaw& law = units_.law;
+  if (largest(units_.free) == 0 || !((law.coefficient + law.cohesion).array() > 0).all()) return false;
+  return std::any_of(beginnings.begin(), beginnings.end(),
+                     [&](double wide) { return from_central_path(wide, found); });
 }
 
 bool SparseSets::from_sweeps(SparseContactSolution& found) {
@@ -297,7 +307,7 @@ std::optional<SparseContactSolution> SparseSets::run(const std::vector<ContactSt
   SparseContactSolution found;
   found.statuses = start;
   const bool solved = !start.empty() ? exchange(most_sets, found)
-                      : alone()      ? from_central_path(found) || from_sweeps(found)
+                      : alone()      ? from_central_paths(found) || from_sweeps(found)
                                      : from_soft_pairs(found);
   if (!solved) return std::nullopt;
   found.position = column_scale_.cwiseProduct(x_);
