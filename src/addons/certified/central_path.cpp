@@ -92,6 +92,11 @@ CentralPath::Change CentralPath::change(const VectorXd& products, const VectorXd
   return result;
 }
 
+CentralPath::Change CentralPath::sum(double a, const Change& one, double b, const Change& other) {
+  return {a * one.force + b * other.force, a * one.room + b * other.room,
+          a * one.give + b * other.give};
+}
+
 VectorXd CentralPath::relative(const Change& change) const {
   VectorXd both(2 * room_.size());
   both << change.room.cwiseQuotient(room_), change.give.cwiseQuotient(give_);
@@ -106,13 +111,9 @@ bool CentralPath::step(const Change& back, double level_back, const Change& alon
   for (int tried = 0; tried < most_tries; ++tried) {
     const double forward = sign * reach * unit;
     const double level = level_ + part * level_back + forward;
-    Change all{part * back.force + forward * along.force, part * back.room + forward * along.room,
-               part * back.give + forward * along.give};
-    if (tried < curved_tries) {
-      const Change curve =
-          change(-all.room.cwiseProduct(all.give), VectorXd::Zero(free_.size()));
-      all = {all.force + curve.force, all.room + curve.room, all.give + curve.give};
-    }
+    Change all = sum(part, back, forward, along);
+    if (tried < curved_tries)
+      all = sum(1, all, 1, change(-all.room.cwiseProduct(all.give), VectorXd::Zero(free_.size())));
     const VectorXd room = room_ + all.room;
     const VectorXd give = give_ + all.give;
     const VectorXd products = room.cwiseProduct(give);
@@ -141,16 +142,13 @@ bool CentralPath::advance() {
   if (first_sign_ == 0) first_sign_ = factor_.sign();
   const VectorXd all = VectorXd::Ones(room_.size());
   const VectorXd missing = free_ + F_ * force_ - movements(give_) - level_ * lack_;
-  Change back = change(level_ * all - room_.cwiseProduct(give_), -missing);
+  const Change off = change(level_ * all - room_.cwiseProduct(give_), -missing);
   const Change along = change(all, lack_);
   const VectorXd way = relative(along);
   const double level_way = 1 / level_;
-  // The part of `back` along the path is no way back.
-  const double level_back =
-      -way.dot(relative(back)) / (way.squaredNorm() + level_way * level_way);
-  back.force += level_back * along.force;
-  back.room += level_back * along.room;
-  back.give += level_back * along.give;
+  // The part of `off` along the path is no way back.
+  const double level_back = -way.dot(relative(off)) / (way.squaredNorm() + level_way * level_way);
+  const Change back = sum(1, off, level_back, along);
   const double unit = 1 / std::max(largest(way), level_way);
   return std::isfinite(level_back) &&
          step(back, level_back, along, unit, factor_.sign() == first_sign_ ? -1 : 1);

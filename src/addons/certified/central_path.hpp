@@ -49,6 +49,8 @@ class CentralPath {
   bool factorise();
   /// What changes products and movements by as much.
   [[nodiscard]] Change change(const Eigen::VectorXd& products, const Eigen::VectorXd& movements) const;
+  /// \return a times the one and b times the other
+  [[nodiscard]] static Change sum(double a, const Change& one, double b, const Change& other);
   /// All changes over what changes.
   [[nodiscard]] Eigen::VectorXd relative(const Change& change) const;
   /// What is left to the bounds of the law: forces, then forward, then backward. \param cohesion  whether it counts
