@@ -117,7 +117,7 @@ accuracy:                 ## what an accuracy costs that is asked for, beside me
 	@cmake --preset release -DSIGNORINI_BUILD_BENCH=ON > /dev/null
 	@cmake --build $B -j $(JOBS) --target accuracy round_bodies
 	@$(ONE_THREAD) $B/bin/accuracy --full && $(ONE_THREAD) $B/bin/round_bodies --full
-many_bodies:              ## what stacks of many blocks cost, and piles of discs with friction
+many_bodies:              ## what stacks of many blocks cost, piles of discs with friction, and dense problems
 	@cmake --preset release -DSIGNORINI_BUILD_BENCH=ON > /dev/null
 	@cmake --build $B -j $(JOBS) --target many_bodies
 	@$(ONE_THREAD) $B/bin/many_bodies --full

@@ -1,7 +1,10 @@
-// Many bodies: stacks that contact alone holds, from the scene to the certificate, and piles of rigid discs with friction.
-// Run:  make many_bodies     Reads: nothing     Writes: stacks.md, piles.md and their .csv
+// Many bodies: stacks that contact alone holds, from the scene to the certificate, piles of rigid discs with friction, and pairs
+// with friction of which each moves all others.
+// Run:  make many_bodies     Reads: nothing     Writes: stacks.md, piles.md, dense.md and their .csv
 // Without --full small ones only: a test that all are certified after few sets, not a measurement.
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <iostream>
 
 #include "addons/certified/solve_with_proofs.hpp"
@@ -10,6 +13,7 @@
 #include "signorini/report/program.hpp"
 #include "signorini/solvers/primal_dual_active_set.hpp"
 #include "support/pile_of_discs.hpp"
+#include "support/random.hpp"
 #include "support/stack.hpp"
 
 namespace {
@@ -66,17 +70,61 @@ bool measure_piles(const std::vector<Eigen::Index>& sizes, const ProgramOptions&
   return good;
 }
 
+/// F = C C^T + I/10 with numbers from -1 to 1 in C, gaps from -1 to 1/2, slips from -1 to 1.
+ContactProblem dense_problem(Eigen::Index pairs, double mu) {
+  signorini_test::Random random(static_cast<std::uint64_t>(pairs));
+  const auto numbers = [&](Eigen::Index rows, Eigen::Index columns, double high) {
+    return Eigen::MatrixXd(Eigen::MatrixXd::NullaryExpr(
+        rows, columns, [&] { return random.uniform(-1, high); }));
+  };
+  const Eigen::MatrixXd C = numbers(2 * pairs, 2 * pairs, 1);
+  ContactProblem problem;
+  problem.compliance = C * C.transpose();
+  problem.compliance.diagonal().array() += 0.1;
+  problem.free_gap = numbers(pairs, 1, 0.5);
+  problem.free_slip = numbers(pairs, 1, 1);
+  problem.law = law_of_all(Eigen::VectorXd::Constant(pairs, mu), Eigen::VectorXd::Zero(pairs));
+  return problem;
+}
+
+/// Fifteen sizes for each coefficient. \return whether all are solved
+bool measure_dense(Eigen::Index largest, const ProgramOptions& options) {
+  Table table({"mu", "problems", "solved", "pairs at most", "worst certificate", "most s"});
+  bool good = true;
+  for (const double mu : {0.1, 0.3, 0.6}) {
+    const int sizes = 15;
+    int solved = 0;
+    double certificate = 0;
+    double most = 0;
+    for (int k = 1; k <= sizes; ++k) {
+      const ContactProblem problem = dense_problem(largest * k / sizes, mu);
+      const double begin = processor_seconds();
+      const ContactState state = solve_with_proofs(problem, primal_dual_active_set(), {});
+      most = std::max(most, processor_seconds() - begin);
+      certificate = std::max(certificate, certify(problem, state).worst());
+      if (state.report.status == SolveStatus::Solved) ++solved;
+    }
+    good = good && solved == sizes && certificate <= certificate_tolerance;
+    table.row({number(mu, "%g"), std::to_string(sizes), std::to_string(solved),
+               std::to_string(largest), number(certificate, "%.1e"), number(most, "%.2f")});
+  }
+  write_table(options.out, "dense", table);
+  return good;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   const auto body = [](const ProgramOptions& options) {
     const bool stacks = measure_stacks(
         options.full ? std::vector<int>{100, 300, 1000} : std::vector<int>{30, 60}, options);
-    const bool piles = measure_piles(options.full ? std::vector<Eigen::Index>{10, 15, 20}
+    const bool piles = measure_piles(options.full ? std::vector<Eigen::Index>{10, 15, 20, 26}
                                                   : std::vector<Eigen::Index>{8},
                                      options);
-    std::cout << "\nall as it must be: " << (stacks && piles ? "yes" : "NO") << '\n';
-    return stacks && piles ? SolveStatus::Solved : SolveStatus::Breakdown;
+    const bool dense = measure_dense(options.full ? 1000 : 60, options);
+    const bool good = stacks && piles && dense;
+    std::cout << "\nall as it must be: " << (good ? "yes" : "NO") << '\n';
+    return good ? SolveStatus::Solved : SolveStatus::Breakdown;
   };
   return run_program("many_bodies", "Stacks and piles of many bodies; --full measures",
                      SIGNORINI_BENCH_OUT, argc, argv, body);

@@ -25,8 +25,8 @@ std::vector<ContactStatus> start_of(const SolverOptions& options, Index pairs) {
 Report report_of(const SparseContactSolution& found) {
   Report report;
   report.status = SolveStatus::Solved;
-  report.iterations = found.sets + found.sweeps;
-  report.factorisations = found.sets;
+  report.iterations = found.sets + found.steps + found.sweeps;
+  report.factorisations = found.sets + found.steps;
   return report;
 }
 

@@ -1,10 +1,12 @@
 #include "addons/certified/sparse_contact.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <utility>
 
+#include "addons/certified/central_path.hpp"
 #include "addons/certified/pair_sweeps.hpp"
 #include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"
@@ -24,6 +26,11 @@ using Triplets = std::vector<Eigen::Triplet<double>>;
 constexpr Index most_sets = 50;
 /// Sets from where sweeps have come: those that are near need few.
 constexpr Index few_sets = 12;
+/// Where central paths begin, see CentralPath. One may be short and the other long: it is left where it has more steps than this.
+constexpr std::array<double, 2> beginnings = {1, 10};
+constexpr Index most_steps = 90;
+/// How small products have to be for a first guess of the set, for a second and for the last: of what they begin with.
+constexpr std::array<double, 3> small_products = {1e-9, 1e-11, 1e-13};
 /// Sweeps over the pairs before the first exchange, and before the last one.
 constexpr Index first_sweeps = 64;
 constexpr Index last_sweeps = 32768;
@@ -83,6 +90,10 @@ class SparseSets {
   std::vector<ContactStatus> guessed(ActiveSetSolution numbers);
   /// The exchange, from what soft pairs do.
   bool from_soft_pairs(SparseContactSolution& found);
+  /// The exchange, from the end of one central path after the other.
+  bool from_central_paths(SparseContactSolution& found);
+  /// The same of one. \param wide  where it begins
+  bool from_central_path(double wide, SparseContactSolution& found);
   /// The exchange, from where sweeps over the pairs have come, after more and more of them.
   bool from_sweeps(SparseContactSolution& found);
   /// Solves a set. \param soft  what closed rows give way by [-] \return whether there are numbers, settled or not
@@ -181,8 +192,8 @@ VectorXd SparseSets::movement() const {
 
 bool SparseSets::closes(const ActiveSet& set) {
   settle(set);
-  const VectorXd left = movement()(set.closed);
-  return (left.array().abs() <= now_.movement_rounding(set.closed).array()).all();
+  // Rows that depend on each other contradict each other by what rounding did to any of them.
+  return largest(VectorXd(movement()(set.closed))) <= largest(now_.movement_rounding);
 }
 
 bool SparseSets::solve(const ActiveSet& set, double soft) {
@@ -220,7 +231,8 @@ void SparseSets::settle(const ActiveSet& set) {
 
 bool SparseSets::exchange(Index most, SparseContactSolution& found) {
   std::set<std::vector<ContactStatus>> seen;
-  Index least = units_.pairs();  // changes so far
+  // Fewest changes so far. Of rigid bodies a set with more than twice as many leads away from where it began.
+  Index least = alone() ? units_.pairs() / 16 : units_.pairs();
   for (Index step = 0; step < most && seen.insert(found.statuses).second; ++step) {
     const ActiveSet set = active_set(found.statuses, units_.law);
     ++found.sets;
@@ -228,7 +240,7 @@ bool SparseSets::exchange(Index most, SparseContactSolution& found) {
     settle(set);
     const Index changes = predict(units_, now_, 1, found.statuses);
     if (changes == 0) return settled_;
-    if (alone() && changes > 2 * least + 8) return false;  // it leads away from where sweeps came
+    if (alone() && changes > 2 * least + 8) return false;
     least = std::min(least, changes);
   }
   return false;
@@ -249,6 +261,28 @@ bool SparseSets::from_soft_pairs(SparseContactSolution& found) {
   if (!solve(active_set(found.statuses, units_.law), 1)) return false;
   found.statuses = guessed(now_);
   return exchange(most_sets, found);
+}
+
+bool SparseSets::from_central_path(double wide, SparseContactSolution& found) {
+  CentralPath path(F_, units_.free, units_.law, wide);
+  Index steps = 0;
+  for (const double part : small_products) {
+    const bool reached = path.follow(part, most_steps);
+    found.steps += path.steps() - std::exchange(steps, path.steps());
+    if (!reached) return false;
+    ActiveSetSolution near;
+    near.force = path.force();
+    found.statuses = guessed(std::move(near));
+    if (exchange(few_sets, found)) return true;
+  }
+  return false;
+}
+
+bool SparseSets::from_central_paths(SparseContactSolution& found) {
+  const FrictionLaw& law = units_.law;
+  if (largest(units_.free) == 0 || !((law.coefficient + law.cohesion).array() > 0).all()) return false;
+  return std::any_of(beginnings.begin(), beginnings.end(),
+                     [&](double wide) { return from_central_path(wide, found); });
 }
 
 bool SparseSets::from_sweeps(SparseContactSolution& found) {
@@ -273,7 +307,7 @@ std::optional<SparseContactSolution> SparseSets::run(const std::vector<ContactSt
   SparseContactSolution found;
   found.statuses = start;
   const bool solved = !start.empty() ? exchange(most_sets, found)
-                      : alone()      ? from_sweeps(found)
+                      : alone()      ? from_central_paths(found) || from_sweeps(found)
                                      : from_soft_pairs(found);
   if (!solved) return std::nullopt;
   found.position = column_scale_.cwiseProduct(x_);

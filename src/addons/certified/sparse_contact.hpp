@@ -32,14 +32,15 @@ struct SparseContactSolution {
   Eigen::VectorXd movement;             ///< w `m` [length], 0 of closed rows
   std::vector<ContactStatus> statuses;  ///< of the pairs
   Eigen::Index sets = 0;                ///< how many were looked at, each with one factor
+  Eigen::Index steps = 0;               ///< along the central path, each with one factor
   Eigen::Index sweeps = 0;              ///< over the pairs, before and between
 };
 
 /// Newton's method for the projections of contact, as primal_dual_active_set(), on the whole system with a sparse factor.
 ///
 /// The first set is what soft pairs do: all are closed, and each gives way by as much as it is scaled by. Where there is no x, as
-/// of rigid bodies, it is what sweep_pairs() leads to, and where the sets run in circles, what more sweeps do; sweeps that have
-/// ended by themselves are a claim as well.
+/// of rigid bodies, it is where the CentralPath ends; if that leads nowhere, what sweep_pairs() lead to, and where the sets run
+/// in circles, what more sweeps do. Sweeps that have ended by themselves are a claim as well.
 ///
 /// Every set is solved with a factor of a matrix that is regular by \f$ \epsilon^{3/4} \f$ on its diagonal, and refined from the
 /// entries themselves in twice the working precision, so that nothing of that is left; where something is, the bodies are not
