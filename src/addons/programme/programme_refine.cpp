@@ -25,6 +25,11 @@ struct ProgrammeRows::Work {
   VectorXd along;
 };
 
+/// What forces are measured by, those that springs have had among them.
+double ProgrammeRows::force_size(const VectorXd& force) const {
+  return std::max(largest(force), spring_ * largest(displacement_));
+}
+
 /// One sweep: [K A^T; A 0] [du; dlambda] = residuals, with K = L_K L_K^T and L_K^-1 A^T = Q L^T.
 void ProgrammeRows::correct(const ActiveSetFactor& basis, Refined& refined, Work& work) {
   PrimalDual& solution = refined.solution;
@@ -100,9 +105,11 @@ ProgrammeRows::Refined ProgrammeRows::refine(ActiveSetFactor& basis) {
     // A sweep shrinks the error by about the relative error of the first solution: two such factors
     // below rounding are enough.
     const double change = std::max(ratio(largest(work.z), largest(refined.solution.displacement)),
-                                   ratio(largest(work.along), largest(work.force)));
+                                   ratio(largest(work.along), force_size(work.force)));
     const double next = change * (refined.sweeps == 1 ? change : std::min(1.0, change / last));
-    if (next <= 0.1 * epsilon || !(change < 0.5 * last)) break;
+    refined.settled = next <= 0.1 * epsilon;
+    refined.change = work.z;
+    if (refined.settled || !(change < 0.5 * last)) break;
     last = change;
   }
   displacement_ = refined.solution.displacement;
@@ -192,7 +199,7 @@ void ProgrammeRows::check_signs(const ActiveSetFactor& basis, Refined& refined, 
   for (Index i = 0; i < count(); ++i) floor_(i) = one_rounding(i, stretch_);
   refined.tension.setZero(k);
   refined.solution.force.setZero(count());
-  const double pull = static_cast<double>(k + 1) * epsilon * largest(work.force);
+  const double pull = static_cast<double>(k + 1) * epsilon * force_size(work.force);
   for (Index i = 0; i < k; ++i) {
     const Index row = basis.rows()[static_cast<std::size_t>(i)];
     gap_(row) = 0;
