@@ -177,6 +177,25 @@ TEST_CASE("random programmes of any rank reach their least energy", "[dense_prog
   }
 }
 
+TEST_CASE("an unknown that is 0 beside others without energy has no size of its own",
+          "[dense_programme]") {
+  // x^2 / 2 with 0.3 x + 0.7 y = 0.1 z and y >= s, of any s: x = 0, and all forces are.
+  for (const double size : {1.0, 1e-13}) {
+    CAPTURE(size);
+    DenseProgramme programme;
+    programme.stiffness = Vector3d(1, 0, 0).asDiagonal();
+    programme.load.setZero(3);
+    programme.A.resize(2, 3);
+    programme.A << 0.3, 0.7, -0.1, 0, -1, 0;
+    programme.initial_gap = Eigen::Vector2d(0, -size);
+    programme.equations = 1;
+    const DenseSolution solution = solve(programme, find_solver("goldfarb_idnani"));
+    REQUIRE(solution.report.status == SolveStatus::Solved);
+    CHECK(solution.refined.displacement(0) == 0);
+    CHECK(solution.refined.force.isZero(0));
+  }
+}
+
 TEST_CASE("where nothing satisfies the rows a semidefinite programme has its proof",
           "[dense_programme]") {
   DenseProgramme narrow = half(1);

@@ -100,12 +100,19 @@ Way limited(const DenseProgramme& programme, const Rows& closed, const VectorXd&
   return way;
 }
 
-/// The same with forces of 0 where they may be rounding of what the springs have carried.
+/// The same with 0 where forces may be rounding of what the springs have carried, and displacements rounding of others: what is 0 in the
+/// solution has no size of its own.
 PrimalDual without_rounding(const ProgrammeRows::Refined& refined, double spring, Index size) {
   PrimalDual less = refined.solution;
-  const double most = std::max(largest(less.force), spring * largest(less.displacement));
+  const double longest = largest(less.displacement);
+  const double most = std::max(largest(less.force), spring * longest);
   less.force = (less.force.array().abs() <= static_cast<double>(size + 1) * epsilon * most)
                    .select(0.0, less.force);
+  for (Index j = 0; j < less.displacement.size(); ++j)
+    if (std::abs(less.displacement(j)) <= epsilon * longest) {
+      less.displacement(j) = 0;
+      if (less.displacement_low.size() > 0) less.displacement_low(j) = 0;
+    }
   return less;
 }
 
