@@ -191,11 +191,7 @@ std::vector<Outcome> solve_all(const TwoSidedProgramme& programme, const std::st
                                double tolerance) {
   const OneSided form = one_sided(programme);
   // Says what no solver could be blamed for.
-  if (form.definite)
-    static_cast<void>(condense(form.programme));
-  else
-    require_input(semidefinite_solution(form.programme, solvers().front(), {}).has_value(),
-                  not_strictly_convex(form.programme));
+  if (form.definite) static_cast<void>(condense(form.programme));
   const Index pairs = static_cast<Index>(form.rows.size()) - form.programme.equations;
   return each(solvers(), asked, pairs, false, tolerance, [&](Outcome& outcome) {
     const DenseSolution solution = solve(form.programme, *outcome.solver);

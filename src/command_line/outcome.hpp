@@ -62,7 +62,7 @@ std::vector<Outcome> solve_all(const signorini::ContactProblem& problem, Matrix 
 /// \param asked      as above
 /// \param tolerance  as above
 /// \return one outcome for each solver
-/// \throws signorini::ProblemError if there is no such solver, the programme is not strictly convex, or
+/// \throws signorini::ProblemError if there is no such solver, the programme is not convex, or
 ///   its equations contradict each other
 std::vector<Outcome> solve_all(const signorini::TwoSidedProgramme& programme,
                                const std::string& asked, double tolerance);

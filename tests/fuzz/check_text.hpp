@@ -43,7 +43,7 @@ inline std::string check_solvers(const signorini::TwoSidedProgramme& programme) 
   try {
     form = one_sided(programme);
   } catch (const ProblemError&) {
-    return "";  // not strictly convex
+    return "";  // not convex
   }
   for (const Solver& solver : solvers()) try {
       const DenseSolution solution = solve(form->programme, solver);

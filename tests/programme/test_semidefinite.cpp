@@ -1,6 +1,7 @@
-// Programmes whose K is only semidefinite where the equations hold: solved where one place alone has the least
-// energy, else refused.
+// Programmes whose K is only semidefinite where the equations hold: proximal points end in a solution, or in a way along
+// which energy falls for ever.
 #include <cmath>
+#include <random>
 #include <vector>
 
 #include "addons/programme/dense_programme.hpp"
@@ -99,18 +100,112 @@ TEST_CASE("forces that are small beside stiffness times displacement keep their 
       }
 }
 
-TEST_CASE("energies without an end or with many places are refused", "[dense_programme]") {
+TEST_CASE("energies without an end are refused by the unknown that runs away",
+          "[dense_programme]") {
   const auto refused = [](const DenseProgramme& programme) {
     return problem_message(
         [&] { static_cast<void>(solve(programme, find_solver("quasi_active_set"))); });
   };
-  DenseProgramme endless = half(1);
-  endless.load(1) = -1;
-  CHECK_THAT(refused(endless), ContainsSubstring("not positive definite"));
-  DenseProgramme many = half(1);
-  many.load(1) = 0;
-  CHECK_THAT(refused(many), ContainsSubstring("many places"));
+  for (const double unit : {1.0, 0x1p-30, 0x1p30}) {
+    CAPTURE(unit);
+    DenseProgramme endless = half(unit);
+    endless.load(1) = -unit;
+    CHECK_THAT(refused(endless),
+               ContainsSubstring("no least value") && ContainsSubstring("unknown 2 falls most"));
+  }
+  // x - y falls along (1, 1) where x = y alone counts in the energy; a row far away ends the way all the same.
+  DenseProgramme along{(Eigen::Matrix2d() << 1, -1, -1, 1).finished(), Eigen::Vector2d(1, 1),
+                       MatrixXd::Zero(1, 2), VectorXd::Constant(1, 1e6)};
+  CHECK_THAT(refused(along), ContainsSubstring("grows most"));
+  along.A << 1, 0;
+  const DenseSolution solution = solve(along, find_solver("quasi_active_set"));
+  REQUIRE(solution.report.status == SolveStatus::Solved);
+  CHECK(solution.refined.displacement(0) == Approx(1e6).epsilon(1e-15));
+  CHECK(solution.refined.force(0) == Approx(2).epsilon(1e-12));
   DenseProgramme saddle = half(1);
   saddle.stiffness(1, 1) = -1;
   CHECK_THAT(refused(saddle), ContainsSubstring("not positive definite"));
+}
+
+TEST_CASE("of many places with the least energy one is found", "[dense_programme]") {
+  DenseProgramme many = half(1);
+  many.load(1) = 0;  // y may be anything up to 2
+  for (const char* solver : {"quasi_active_set", "goldfarb_idnani", "lemke"}) {
+    CAPTURE(solver);
+    const DenseSolution solution = solve(many, find_solver(solver));
+    REQUIRE(solution.report.status == SolveStatus::Solved);
+    CHECK(solution.certificate.worst() <= 1e-15);
+    CHECK(solution.refined.displacement(0) == Approx(0.5).epsilon(1e-15));
+    CHECK(solution.refined.displacement(1) <= 2);
+    CHECK(solution.refined.force(1) == 0);
+  }
+}
+
+// K = B B^T of low rank, rows of which some are closed with a force: p = K x + A^T lambda makes x a solution, whatever the rank,
+// so the least energy is known.
+TEST_CASE("random programmes of any rank reach their least energy", "[dense_programme]") {
+  std::mt19937 random(20);
+  const auto number = [&] { return static_cast<double>(random() % 2001) / 1000 - 1; };
+  for (int run = 0; run < 400; ++run) {
+    CAPTURE(run);
+    const Index n = 2 + static_cast<Index>(random() % 14);
+    const Index m = n + static_cast<Index>(random() % 20);
+    const Index equations = static_cast<Index>(random()) % (n / 2 + 1);
+    const MatrixXd B =
+        MatrixXd::NullaryExpr(n, static_cast<Index>(random()) % (n - equations), number);
+    const VectorXd x = VectorXd::NullaryExpr(n, number);
+    VectorXd force = VectorXd::NullaryExpr(m, number);
+    DenseProgramme programme;
+    programme.stiffness = B * B.transpose();
+    programme.A = MatrixXd::NullaryExpr(m, n, number);
+    programme.equations = equations;
+    programme.initial_gap = programme.A * x;
+    for (Index i = programme.equations; i < m; ++i) {
+      programme.initial_gap(i) += i % 3 == 0 ? 0 : std::abs(number());
+      force(i) = i % 3 == 0 ? std::max(0.0, force(i)) : 0;  // some touch without a force
+    }
+    programme.load = programme.stiffness * x + programme.A.transpose() * force;
+    const auto energy = [&](const VectorXd& u) {
+      return 0.5 * u.dot(programme.stiffness * u) - programme.load.dot(u);
+    };
+    const DenseSolution solution = solve(programme, find_solver("goldfarb_idnani"));
+    CHECK(solution.report.status == SolveStatus::Solved);
+    CHECK(solution.certificate.holds());
+    // The sums of an energy have up to n^2 terms of size n.
+    CHECK(energy(solution.refined.displacement) ==
+          Approx(energy(x)).margin(1e-12 * static_cast<double>(n * n * n)));
+  }
+}
+
+TEST_CASE("an unknown that is 0 beside others without energy has no size of its own",
+          "[dense_programme]") {
+  // x^2 / 2 with 0.3 x + 0.7 y = 0.1 z and y >= s, of any s: x = 0, and all forces are.
+  for (const double size : {1.0, 1e-13}) {
+    CAPTURE(size);
+    DenseProgramme programme;
+    programme.stiffness = Vector3d(1, 0, 0).asDiagonal();
+    programme.load.setZero(3);
+    programme.A.resize(2, 3);
+    programme.A << 0.3, 0.7, -0.1, 0, -1, 0;
+    programme.initial_gap = Eigen::Vector2d(0, -size);
+    programme.equations = 1;
+    const DenseSolution solution = solve(programme, find_solver("goldfarb_idnani"));
+    REQUIRE(solution.report.status == SolveStatus::Solved);
+    CHECK(solution.refined.displacement(0) == 0);
+    CHECK(solution.refined.force.isZero(0));
+  }
+}
+
+TEST_CASE("where nothing satisfies the rows a semidefinite programme has its proof",
+          "[dense_programme]") {
+  DenseProgramme narrow = half(1);
+  narrow.A.conservativeResize(3, 3);
+  narrow.A.row(2) << 0, -1, 0;
+  narrow.initial_gap = Vector3d(1, 2, -3);  // y <= 2 and y >= 3
+  for (const char* solver : {"quasi_active_set", "goldfarb_idnani", "lemke"}) {
+    CAPTURE(solver);
+    const DenseSolution solution = solve(narrow, find_solver(solver));
+    REQUIRE(solution.report.status == SolveStatus::Infeasible);
+    CHECK(proves_infeasible(narrow, solution.farkas_certificate, solution.refined.displacement));
+  }
 }

@@ -69,17 +69,12 @@ OneSided one_sided(const TwoSidedProgramme& programme) {
     dense.initial_gap(k) = sign > 0 ? programme.upper(row) : -programme.lower(row);
   }
   const double least = convexity(programme.P, dense.A.topRows(equations));
-  require_input(least >= -1, not_strictly_convex(dense));
+  require_input(least >= -1, "not convex: P has a negative eigenvalue",
+                equations > 0 ? " where the equations hold" : " and there are no equations",
+                ", so a place with balanced forces may be no optimum; let P be positive "
+                "semidefinite, or add rows with l = u that hold its falling directions");
   form.definite = least > 1;
   return form;
-}
-
-std::string not_strictly_convex(const DenseProgramme& programme) {
-  return text(
-      "not strictly convex: P is not positive definite ",
-      programme.equations > 0 ? "where the equations hold" : "and there are no equations",
-      ", so there may be no solution or many; add a small multiple of the identity to P, or "
-      "rows with l = u that hold the free directions");
 }
 
 double objective(const TwoSidedProgramme& programme, const PrimalDual& solution) {

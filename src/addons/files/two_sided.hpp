@@ -45,13 +45,8 @@ struct OneSided {
 /// Turns a programme around.
 /// \param programme  of any size
 /// \return the same programme with one-sided rows
-/// \throws ProblemError not_strictly_convex() if P has a negative eigenvalue, beyond rounding, where the equations
-///   hold; where it is only semidefinite inequalities may still leave one solution, see semidefinite_solution()
+/// \throws ProblemError "not convex" if P has a negative eigenvalue, beyond rounding, where the equations hold
 [[nodiscard]] OneSided one_sided(const TwoSidedProgramme& programme);
-
-/// \param programme  whose P is not positive definite where the equations hold
-/// \return how it is refused, "not strictly convex", and the way out
-[[nodiscard]] std::string not_strictly_convex(const DenseProgramme& programme);
 
 /// The objective, with its large terms summed in twice the working precision.
 /// \param programme  P, q, r

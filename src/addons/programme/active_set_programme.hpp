@@ -20,7 +20,7 @@ namespace signorini {
 
 /// goldfarb_idnani() for a quadratic programme, in the same way.
 /// \param programme  K, p, A, g
-/// \param options    `iteration_limit` 0 stands for 100 m + 100
+/// \param options    `iteration_limit` 0 stands for 100 m + 100; `start` says which inequalities are closed at first
 /// \return as above
 /// \throws std::invalid_argument, ProblemError as condense()
 [[nodiscard]] DenseSolution goldfarb_idnani(const DenseProgramme& programme,

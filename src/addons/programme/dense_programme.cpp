@@ -10,8 +10,8 @@
 #include "addons/certified/proofs.hpp"
 #include "addons/certified/solve_with_proofs.hpp"
 #include "addons/programme/active_set_programme.hpp"
-#include "addons/programme/floating_programme.hpp"
 #include "addons/programme/programme_rows.hpp"
+#include "addons/programme/proximal_programme.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/problem/systems.hpp"
@@ -23,31 +23,6 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using Rows = std::vector<Index>;
 
-Rows range(Index first, Index last) {
-  Rows rows(static_cast<std::size_t>(last - first));
-  std::iota(rows.begin(), rows.end(), first);
-  return rows;
-}
-
-/// A basis of the equations, and of closed rows after them.
-ActiveSetFactor basis_of(ProgrammeRows& data, const Rows& closed) {
-  ActiveSetFactor basis = data.empty_basis();
-  VectorXd gap;
-  VectorXd rounding;
-  data.gaps(basis, gap, rounding);
-  Rows rows = range(0, data.equations());
-  rows.insert(rows.end(), closed.begin(), closed.end());
-  ActiveSetFactor::Candidates candidates;
-  candidates.rows = rows;
-  data.fetch(gap, rounding, candidates);
-  basis.append(candidates, ActiveSetFactor::Choice::All, static_cast<Index>(rows.size()));
-  for (Index i = 0; i < data.equations(); ++i)
-    if (std::abs(candidates.gap(i)) > 4 * candidates.rounding(i))
-      throw ProblemError(text("quadratic programme: equation ", i + 1,
-                              " contradicts the others; nothing satisfies them all"));
-  return basis;
-}
-
 /// Sets to 0 what may be rounding alone.
 void without_rounding(VectorXd& gap, const VectorXd& rounding) {
   for (Index i = 0; i < gap.size(); ++i)
@@ -55,7 +30,7 @@ void without_rounding(VectorXd& gap, const VectorXd& rounding) {
 }
 
 DenseCondensed condensed_by(ProgrammeRows& data) {
-  const ActiveSetFactor equations = basis_of(data, {});
+  const ActiveSetFactor equations = data.basis_of({});
   VectorXd gap;
   VectorXd rounding;
   data.gaps(equations, gap, rounding);
@@ -65,7 +40,8 @@ DenseCondensed condensed_by(ProgrammeRows& data) {
   condensed.half.setZero(condensed.free_displacement.size(), data.count() - first);
   if (first == data.count()) return condensed;
   ActiveSetFactor::Candidates rows;
-  rows.rows = range(first, data.count());
+  rows.rows.resize(static_cast<std::size_t>(data.count() - first));
+  std::iota(rows.rows.begin(), rows.rows.end(), first);
   data.fetch(gap, rounding, rows);
   const auto Q = equations.directions();
   rows.columns -= Q * (Q.transpose() * rows.columns).eval();
@@ -105,7 +81,7 @@ DenseSolution claimed(const DenseCondensed& condensed, const ProgrammeRows& data
 /// Lets the equations carry what an end without a solution, and a proof, lack of their balance.
 void balance_by_equations(const DenseProgramme& programme, ProgrammeRows& data,
                           DenseSolution& solution) {
-  const ActiveSetFactor equations = basis_of(data, {});
+  const ActiveSetFactor equations = data.basis_of({});
   PrimalDual& last = solution.refined;
   last.force += data.carried(equations, programme.load - programme.stiffness * last.displacement -
                                             programme.A.transpose() * last.force);
@@ -125,7 +101,7 @@ DenseSolution solve_condensed(const DenseProgramme& programme, const Solver& sol
       balance_by_equations(programme, data, solution);
       return solution;
     }
-    ActiveSetFactor basis = basis_of(data, solution.active);
+    ActiveSetFactor basis = data.basis_of(solution.active);
     VectorXd gap;
     VectorXd rounding;
     data.gaps(basis, gap, rounding);
@@ -146,6 +122,36 @@ bool balanced(const DenseProgramme& programme, const PrimalDual& solution) {
   Certificate certificate = certify(programme, solution);
   certificate.complementarity = certificate.duality_gap = 0;
   return certificate.holds();
+}
+
+/// What stands of a claim once the original data have been asked.
+DenseSolution confirmed(const DenseProgramme& programme, DenseSolution solution) {
+  SolveStatus& status = solution.report.status;
+  if (status == SolveStatus::Infeasible &&
+      !proves_infeasible(programme, solution.farkas_certificate, solution.refined.displacement)) {
+    status = SolveStatus::Breakdown;
+    solution.farkas_certificate.resize(0);
+  }
+  if (status == SolveStatus::Feasible && !balanced(programme, solution.refined))
+    status = SolveStatus::Breakdown;
+  if (status != SolveStatus::Solved) return solution;
+  for (Index i = programme.equations; i < solution.refined.force.size(); ++i)
+    solution.refined.force(i) = std::max(0.0, solution.refined.force(i));
+  solution.certificate = certify(programme, solution.refined);
+  if (!solution.certificate.holds()) status = SolveStatus::Breakdown;
+  return solution;
+}
+
+/// With springs that make K definite; goldfarb_idnani() stands for methods that do not condense all rows, because its single steps
+/// do not prefer rows that nearly depend on others.
+DenseSolution by_proximal_points(const DenseProgramme& programme, const Solver& solver,
+                                 const SolverOptions& options) {
+  return confirmed(
+      programme, proximal_solution(programme, [&](const DenseProgramme& near, SolverOptions from) {
+        if (on_programmes(solver) == nullptr) return solve_condensed(near, solver, options);
+        from.iteration_limit = options.iteration_limit;
+        return goldfarb_idnani(near, from);
+      }));
 }
 
 /// Solves by itself each system that nothing but rounding connects with the others. Nothing if all is connected or one
@@ -192,35 +198,27 @@ DenseCondensed condense(const DenseProgramme& programme) {
 
 DenseSolution solve(const DenseProgramme& programme, const Solver& solver,
                     const SolverOptions& options) {
+  const auto method = on_programmes(solver);
   DenseSolution solution;
+  bool definite = true;
   try {
-    const auto method = on_programmes(solver);
-    solution = method != nullptr ? method(programme, options)
-                                 : solve_condensed(programme, solver, options);
+    solution =
+        confirmed(programme, method != nullptr ? method(programme, options)
+                                               : solve_condensed(programme, solver, options));
   } catch (const NotDefinite&) {
-    auto other = semidefinite_solution(programme, solver, options);
-    if (!other) throw;
-    solution = std::move(*other);
+    definite = false;
+    solution = by_proximal_points(programme, solver, options);
   }
-  if (solution.report.status == SolveStatus::Infeasible &&
-      !proves_infeasible(programme, solution.farkas_certificate, solution.refined.displacement)) {
-    solution.report.status = SolveStatus::Breakdown;
-    solution.farkas_certificate.resize(0);
-  }
-  if (solution.report.status == SolveStatus::Feasible && !balanced(programme, solution.refined))
-    solution.report.status = SolveStatus::Breakdown;
-  if (solution.report.status != SolveStatus::Solved) return solution;
-  for (Index i = programme.equations; i < solution.refined.force.size(); ++i)
-    solution.refined.force(i) = std::max(0.0, solution.refined.force(i));
-  solution.certificate = certify(programme, solution.refined);
-  if (solution.certificate.holds()) return solution;
-  solution.report.status = SolveStatus::Breakdown;
+  if (solution.report.status != SolveStatus::Breakdown) return solution;
   try {
-    auto separate = separate_solution(programme, solver, options);
-    if (!separate || !separate->certificate.holds()) return solution;
-    append(solution.report, separate->report);
-    separate->report = std::move(solution.report);
-    return std::move(*separate);
+    auto other = separate_solution(programme, solver, options);
+    // K may be definite by its rounding alone.
+    if (!other && definite && method != nullptr)
+      other = by_proximal_points(programme, solver, options);
+    if (!other || !other->certificate.holds()) return solution;
+    append(solution.report, other->report);
+    other->report = std::move(solution.report);
+    return std::move(*other);
   } catch (const ProblemError&) {  // its numbers would be those of a system
   }
   return solution;

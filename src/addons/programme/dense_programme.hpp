@@ -49,14 +49,14 @@ struct DenseSolution {
 ///
 /// If the refined solution shows that rounding had misplaced a row, the condensed problem is solved
 /// again with free gaps from the refined solution. If the certificate refutes it, each system that nothing
-/// but rounding connects is solved by itself, see unconnected_systems().
+/// but rounding connects is solved by itself, see unconnected_systems(). Where K is only semidefinite, see proximal_solution():
+/// then the solution is one of several, or the only one.
 /// \param programme  K, p, A, g
 /// \param solver     a member of solvers()
 /// \param options    handed to it
 /// \return the solution; look at its `report.status` first. A solution that the certificate does not
 ///   confirm to 1e-12 is called `Breakdown`
-/// \throws std::invalid_argument, ProblemError as condense() and the solver; where K is semidefinite only if
-///   semidefinite_solution() finds none
+/// \throws std::invalid_argument, ProblemError as condense() and the solver; NotDefinite as proximal_solution()
 [[nodiscard]] DenseSolution solve(const DenseProgramme& programme, const Solver& solver,
                                   const SolverOptions& options = {});
 

@@ -1,16 +1,11 @@
 #include "addons/programme/floating_programme.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
-#include <vector>
 
 #include "addons/certified/certified_solve.hpp"
-#include "addons/certified/proofs.hpp"
 #include "addons/programme/programme_rows.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/scene/rigid_modes.hpp"
 
@@ -57,67 +52,6 @@ MatrixXd orthonormal_modes(const MatrixXd& K, const MatrixXd& N, const VectorXd&
                 " null vectors are dependent, of rank ", span.rank,
                 "; leave out those that repeat others");
   return span.basis;
-}
-
-/// A programme without equations in the units of the diagonal of K, in coordinates v along orthonormal Z: u is a solution of the
-/// equations and Z v.
-DenseProgramme inside_equations(const DenseProgramme& programme) {
-  const Index first = programme.equations;
-  const Index rows = programme.initial_gap.size() - first;
-  const VectorXd unit = unknown_scale(programme.stiffness).cwiseInverse();
-  const MatrixXd A = programme.A * unit.asDiagonal();
-  const MatrixXd K = unit.asDiagonal() * programme.stiffness * unit.asDiagonal();
-  const VectorXd load = unit.cwiseProduct(programme.load);
-  if (first == 0) return {K, load, A, programme.initial_gap};
-  const VectorXd place = least_norm_solution(A.topRows(first), programme.initial_gap.head(first));
-  const MatrixXd Z = null_space(A.topRows(first));
-  const MatrixXd inside = Z.transpose() * K * Z;
-  return {0.5 * (inside + inside.transpose()), Z.transpose() * (load - K * place),
-          A.bottomRows(rows) * Z, programme.initial_gap.tail(rows) - A.bottomRows(rows) * place};
-}
-
-/// The rows of inequalities with a force at the least energy, if they hold all that K and the equations leave free; else none.
-std::vector<Index> holding_rows(const DenseProgramme& programme, const Solver& solver,
-                                const SolverOptions& options, Report& report) {
-  const DenseProgramme inside = inside_equations(programme);
-  if (inside.load.size() == 0) return {};
-  const MatrixXd N = null_space(inside.stiffness);
-  if (N.cols() == 0) return {};
-  const DenseSolution solution = solve(inside, N, solver, options).dense;
-  append(report, solution.report);
-  if (solution.report.status != SolveStatus::Solved) return {};
-  const VectorXd& force = solution.refined.force;
-  std::vector<Index> pressed;
-  for (Index i = 0; i < force.size(); ++i)
-    if (force(i) > proof_rounding * largest(force)) pressed.push_back(i);
-  if (pressed.empty()) return {};
-  const MatrixXd held = (inside.A * N)(pressed, Eigen::all).transpose();
-  if (column_span(held).rank < N.cols()) return {};
-  for (Index& row : pressed) row += programme.equations;
-  return pressed;
-}
-
-/// The solution of a programme with some rows of inequalities as equations as well, whose forces may then have any sign.
-DenseSolution held_solution(const DenseProgramme& programme, const std::vector<Index>& closed,
-                            const Solver& solver, const SolverOptions& options) {
-  std::vector<Index> order(at(programme.initial_gap.size()));
-  std::iota(order.begin(), order.end(), Index{0});
-  std::stable_partition(order.begin() + programme.equations, order.end(), [&](Index row) {
-    return std::binary_search(closed.begin(), closed.end(), row);
-  });
-  const DenseProgramme held{programme.stiffness, programme.load, programme.A(order, Eigen::all),
-                            programme.initial_gap(order),
-                            programme.equations + static_cast<Index>(closed.size())};
-  static_cast<void>(ProgrammeRows(held));  // throws where they do not hold K
-  DenseSolution solution = solve(held, solver, options);
-  const VectorXd force = solution.refined.force;
-  const VectorXd gap = solution.gap;
-  solution.refined.force(order) = force;
-  solution.gap(order) = gap;
-  for (Index& row : solution.active) row = order[at(row)];
-  solution.active.insert(solution.active.end(), closed.begin(), closed.end());
-  std::sort(solution.active.begin(), solution.active.end());
-  return solution;
 }
 
 }  // namespace
@@ -171,24 +105,6 @@ FloatingSolution solve(const DenseProgramme& programme, const MatrixXd& null_vec
   solution.unbounded_direction = std::move(end.state.unbounded_direction);
   if (dense.report.status == SolveStatus::Solved) dense.gap(dense.active).setZero();
   return solution;
-}
-
-std::optional<DenseSolution> semidefinite_solution(const DenseProgramme& programme,
-                                                   const Solver& solver,
-                                                   const SolverOptions& options) {
-  try {
-    Report report;
-    const std::vector<Index> holding = holding_rows(programme, solver, options, report);
-    if (holding.empty()) return {};
-    DenseSolution solution = held_solution(programme, holding, solver, options);
-    if (solution.report.status != SolveStatus::Solved) return {};
-    append(report, solution.report);
-    solution.report = std::move(report);
-    return solution;
-  } catch (
-      const ProblemError&) {  // rounding does not tell what is free, or the equations contradict each other
-    return {};
-  }
 }
 
 }  // namespace signorini

@@ -3,7 +3,6 @@
 /// Dense programmes with a singular stiffness whose null vectors are known: bodies that float.
 #pragma once
 #include <Eigen/Core>
-#include <optional>
 
 #include "addons/programme/dense_programme.hpp"
 
@@ -49,20 +48,5 @@ struct FloatingSolution {
 [[nodiscard]] FloatingSolution solve(const DenseProgramme& programme,
                                      const Eigen::MatrixXd& null_vectors, const Solver& solver,
                                      const SolverOptions& options = {});
-
-/// The least energy of a K that is only semidefinite where the equations hold, if one place alone has it.
-///
-/// Where A_e u = g_e, in the units of the diagonal of K, u is a solution of the equations plus Z v with Z orthonormal
-/// and A_e Z = 0. In v there are no equations, and the directions that Z^T K Z does not feel are rigid modes, which only
-/// inequalities can hold. Those that do, with a force, become equations, too: K is definite where these hold, and u is refined
-/// from the original data.
-/// \param programme  K positive semidefinite where A_e u = 0
-/// \param solver     a member of solvers()
-/// \param options    handed to it
-/// \return a solution with status Solved; nothing if K has a negative eigenvalue there, if the equations contradict each
-///   other, if the method finds no solution, or if the rows with a force leave a mode free, so that there may be others
-[[nodiscard]] std::optional<DenseSolution> semidefinite_solution(const DenseProgramme& programme,
-                                                                 const Solver& solver,
-                                                                 const SolverOptions& options);
 
 }  // namespace signorini

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "addons/programme/programme_rows.hpp"
 #include "signorini/core/rounding.hpp"
@@ -25,6 +24,11 @@ struct ProgrammeRows::Work {
   VectorXd a;
   VectorXd along;
 };
+
+/// What forces are measured by, those that springs have had among them.
+double ProgrammeRows::force_size(const VectorXd& force) const {
+  return std::max(largest(force), spring_ * largest(displacement_));
+}
 
 /// One sweep: [K A^T; A 0] [du; dlambda] = residuals, with K = L_K L_K^T and L_K^-1 A^T = Q L^T.
 void ProgrammeRows::correct(const ActiveSetFactor& basis, Refined& refined, Work& work) {
@@ -97,9 +101,12 @@ ProgrammeRows::Refined ProgrammeRows::refine(ActiveSetFactor& basis) {
   refined.solution.displacement_low.setZero(unknowns());
   for (Corrections corrections; corrections.foreseen > 0.25 * epsilon;) {
     correct(basis, refined, work);
-    if (!corrections.next(Corrections::size(work.z, refined.solution.displacement, work.along,
-                                            work.force)))
-      break;
+    const bool shrinks =
+        corrections.next(std::max(relative(work.z, refined.solution.displacement),
+                                  ratio(largest(work.along), force_size(work.force))));
+    refined.settled = corrections.foreseen <= 0.25 * epsilon;
+    refined.change = work.z;
+    if (!shrinks) break;
   }
   displacement_ = refined.solution.displacement;
   basis.set_force(work.force);
@@ -188,7 +195,7 @@ void ProgrammeRows::check_signs(const ActiveSetFactor& basis, Refined& refined, 
   for (Index i = 0; i < count(); ++i) floor_(i) = one_rounding(i, stretch_);
   refined.tension.setZero(k);
   refined.solution.force.setZero(count());
-  const double pull = static_cast<double>(k + 1) * epsilon * largest(work.force);
+  const double pull = static_cast<double>(k + 1) * epsilon * force_size(work.force);
   for (Index i = 0; i < k; ++i) {
     const Index row = basis.rows()[static_cast<std::size_t>(i)];
     gap_(row) = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "addons/programme/dense_programme.hpp"
 #include "signorini/core/errors.hpp"
@@ -19,7 +20,7 @@ double reach(double stretch, double weight) { return weight > 0 ? stretch / weig
 
 /// What each equation adds to K: along its own row as much as the unknowns of the row resist together, so that it swamps none of
 /// them; where K has nothing for them, as much as it has in the mean, or 1.
-VectorXd equation_stiffness(const DenseProgramme& programme) {
+VectorXd equation_stiffness(const DenseProgramme& programme, double spring) {
   const double trace = programme.stiffness.trace();
   const double mean = trace > 0 ? trace / static_cast<double>(programme.load.size()) : 1;
   VectorXd rho(programme.equations);
@@ -27,7 +28,8 @@ VectorXd equation_stiffness(const DenseProgramme& programme) {
     double compliance = 0;
     for (Index j = 0; j < programme.load.size(); ++j) {
       const double a = programme.A(i, j);
-      if (a != 0 && programme.stiffness(j, j) > 0) compliance += a * a / programme.stiffness(j, j);
+      const double stiffness = programme.stiffness(j, j) + spring;
+      if (a != 0 && stiffness > 0) compliance += a * a / stiffness;
     }
     const double square = programme.A.row(i).squaredNorm();
     rho(i) = compliance > 0 ? 1 / compliance : square > 0 ? mean / square : 0;
@@ -35,19 +37,18 @@ VectorXd equation_stiffness(const DenseProgramme& programme) {
   return rho;
 }
 
-CholeskyFactor factored(const DenseProgramme& programme, const VectorXd& rho) {
-  CholeskyFactor factor;
-  if (programme.equations == 0) {
-    factor = CholeskyFactor(programme.stiffness);
-  } else {
+CholeskyFactor factored(const DenseProgramme& programme, const VectorXd& rho, double spring) {
+  Eigen::MatrixXd K = programme.stiffness;
+  if (spring > 0) K.diagonal().array() += spring;
+  if (programme.equations > 0) {
     const auto E = programme.A.topRows(programme.equations);
-    factor = CholeskyFactor(programme.stiffness + E.transpose() * rho.asDiagonal() * E);
+    K += E.transpose() * rho.asDiagonal() * E;
   }
+  const CholeskyFactor factor(K);
   const auto pivots = factor.lower().diagonal();
   bool positive = factor.positive();
   for (Index i = 0; positive && i < pivots.size(); ++i)
-    positive = pivots(i) * pivots(i) >
-               static_cast<double>(pivots.size() + 1) * epsilon * programme.stiffness(i, i);
+    positive = pivots(i) * pivots(i) > static_cast<double>(pivots.size() + 1) * epsilon * K(i, i);
   if (!positive)
     throw NotDefinite(
         "quadratic programme: K is not positive definite to rounding, so the least energy may have "
@@ -75,10 +76,11 @@ void check_sizes(const DenseProgramme& programme) {
       "quadratic programme: K, p, A and g, and their sums, must be finite");
 }
 
-ProgrammeRows::ProgrammeRows(const DenseProgramme& programme) : programme_(programme) {
+ProgrammeRows::ProgrammeRows(const DenseProgramme& programme, double spring)
+    : programme_(programme), spring_(spring) {
   check_sizes(programme);
-  rho_ = equation_stiffness(programme);
-  factor_ = factored(programme, rho_);
+  rho_ = equation_stiffness(programme, spring);
+  factor_ = factored(programme, rho_, spring);
   const Index n = programme.load.size();
   displacement_ = programme.load;
   if (equations() > 0) {
@@ -107,6 +109,49 @@ ProgrammeRows::ProgrammeRows(const DenseProgramme& programme) : programme_(progr
     weight_(i) = size > 0 ? 1 / size : 0;
     floor_(i) = rounding * (std::abs(programme.initial_gap(i)) + stretch_ * size);
   }
+}
+
+ActiveSetFactor::Candidates ProgrammeRows::append(const std::vector<Index>& closed,
+                                                  const VectorXd& gap, const VectorXd& rounding,
+                                                  ActiveSetFactor& basis) {
+  ActiveSetFactor::Candidates candidates;
+  candidates.rows.resize(static_cast<std::size_t>(equations()));
+  std::iota(candidates.rows.begin(), candidates.rows.end(), Index{0});
+  candidates.rows.insert(candidates.rows.end(), closed.begin(), closed.end());
+  fetch(gap, rounding, candidates);
+  basis.append(candidates, ActiveSetFactor::Choice::All,
+               static_cast<Index>(candidates.rows.size()));
+  return candidates;
+}
+
+ActiveSetFactor ProgrammeRows::basis_of(const std::vector<Index>& closed) {
+  ActiveSetFactor basis = empty_basis();
+  VectorXd gap;
+  VectorXd rounding;
+  gaps(basis, gap, rounding);
+  const ActiveSetFactor::Candidates candidates = append(closed, gap, rounding, basis);
+  for (Index i = 0; i < equations(); ++i)
+    if (std::abs(candidates.gap(i)) > 4 * candidates.rounding(i))
+      throw ProblemError(text("quadratic programme: equation ", i + 1,
+                              " contradicts the others; nothing satisfies them all"));
+  return basis;
+}
+
+ActiveSetFactor ProgrammeRows::basis_at(const std::vector<Index>& closed,
+                                        const PrimalDual& solution) {
+  ActiveSetFactor basis = empty_basis();
+  displacement_ = solution.displacement;
+  gap_ = programme_.initial_gap - programme_.A * displacement_;
+  static_cast<void>(append(closed, gap_, floor_, basis));
+  VectorXd force(basis.size());
+  for (Index i = 0; i < basis.size(); ++i) {
+    const Index row = basis.rows()[static_cast<std::size_t>(i)];
+    force(i) = solution.force(row) * norm_(row);
+  }
+  basis.set_force(force);
+  base_ = basis.directions() * basis.coordinates();
+  moved_.setZero(unknowns());
+  return basis;
 }
 
 ActiveSetFactor ProgrammeRows::empty_basis() const {

@@ -3,6 +3,7 @@
 /// The rows of a dense programme as a basis of closed rows needs them: condensed one by one, on demand.
 #pragma once
 #include <Eigen/Core>
+#include <vector>
 
 #include "signorini/core/dense.hpp"
 #include "signorini/core/rounding.hpp"
@@ -26,7 +27,13 @@ class ProgrammeRows {
   /// \param programme  K, p, A, g; must outlive this
   /// \throws std::invalid_argument if sizes do not fit or a number is not finite
   /// \throws NotDefinite if K is not positive definite to rounding where A_e u = 0
-  explicit ProgrammeRows(const DenseProgramme& programme);
+  explicit ProgrammeRows(const DenseProgramme& programme) : ProgrammeRows(programme, 0) {}
+  /// The same where K is only semidefinite. The factor is that of K and a spring on each unknown, the residuals of refine() are those
+  /// of K alone: each of its sweeps is a proximal point.
+  /// \param programme  K positive semidefinite, p, A, g; must outlive this
+  /// \param spring     stiffness of all springs
+  /// \throws std::invalid_argument, NotDefinite as above, of K with the springs
+  ProgrammeRows(const DenseProgramme& programme, double spring);
 
   /// \return number of unknowns n
   [[nodiscard]] Eigen::Index unknowns() const { return programme_.load.size(); }
@@ -34,6 +41,16 @@ class ProgrammeRows {
   [[nodiscard]] Eigen::Index count() const { return gap_.size(); }
   /// \return how many of the first rows are equations
   [[nodiscard]] Eigen::Index equations() const { return programme_.equations; }
+  /// \return a basis of the equations, and of closed rows after them, but for those that depend on others
+  /// \param closed  inequalities
+  /// \throws ProblemError if the equations contradict each other
+  [[nodiscard]] ActiveSetFactor basis_of(const std::vector<Eigen::Index>& closed);
+  /// The same where a solution is known, from which later gaps are measured.
+  /// \param closed    inequalities
+  /// \param solution  u and lambda `m`
+  /// \return the basis, as if its gaps were asked for last
+  [[nodiscard]] ActiveSetFactor basis_at(const std::vector<Eigen::Index>& closed,
+                                         const PrimalDual& solution);
   /// \return an empty basis for them
   [[nodiscard]] ActiveSetFactor empty_basis() const;
   /// \return about 1 / |h_i| of each row `m`, to compare rows with before they are condensed
@@ -64,8 +81,10 @@ class ProgrammeRows {
     PrimalDual solution;      ///< u in two parts, and lambda `m`
     Eigen::VectorXd gap;      ///< g - A u `m`, 0 in the basis
     Eigen::VectorXd tension;  ///< `size` of the basis, lambda |h_i| where negative beyond rounding
-    Eigen::Index violated = 0;  ///< open rows that overlap beyond rounding
-    Eigen::Index sweeps = 0;    ///< corrections that were made
+    Eigen::Index violated = 0;    ///< open rows that overlap beyond rounding
+    Eigen::Index sweeps = 0;      ///< corrections that were made
+    bool settled = true;          ///< whether another one would change nothing
+    Eigen::VectorXd change = {};  ///< of u `n` in the last sweep, or empty
 
     /// \return whether no row is on the wrong side
     [[nodiscard]] bool confirmed() const { return violated == 0 && largest(tension) == 0; }
@@ -89,7 +108,11 @@ class ProgrammeRows {
 
  private:
   struct Work;
+  ActiveSetFactor::Candidates append(const std::vector<Eigen::Index>& closed,
+                                     const Eigen::VectorXd& gap, const Eigen::VectorXd& rounding,
+                                     ActiveSetFactor& basis);
   void correct(const ActiveSetFactor& basis, Refined& refined, Work& work);
+  [[nodiscard]] double force_size(const Eigen::VectorXd& force) const;
   [[nodiscard]] double one_rounding(Eigen::Index row, double stretch) const;
   [[nodiscard]] bool beyond_doubt(const ActiveSetFactor& basis, Refined& refined,
                                   const Eigen::VectorXd& force);
@@ -110,7 +133,8 @@ class ProgrammeRows {
   Eigen::VectorXd norm_;
   Eigen::VectorXd moved_;  // what contact takes from displacement_; work space of refine()
   Eigen::VectorXd root_;   // of the diagonal of K
-  double stretch_ = 0;     // |D^1/2 u|, or what forces make of the stiffest unknown
+  double spring_ = 0;
+  double stretch_ = 0;  // |D^1/2 u|, or what forces make of the stiffest unknown
 };
 
 }  // namespace signorini

@@ -59,6 +59,7 @@ DualActiveSet::DualActiveSet(const ConstraintRows& rows, ActiveSetFactor basis, 
       group_((rows.rank + 1) / 2),
       force_(basis_.capacity()),
       state_(at(rows.count), Row::Open) {
+  for (const Index row : basis_.rows()) state_[at(row)] = Row::Closed;
   report_.history.reserve(8);
   candidates_.rows.reserve(at(rows.count));
 }

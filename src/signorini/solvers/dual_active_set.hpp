@@ -18,9 +18,9 @@ class DualActiveSet {
     Block,  ///< violated rows join together
     Single  ///< the most violated row is pressed until it closes
   };
-  /// Starts with no row closed.
+  /// Starts with the rows of a basis closed; if there are any, release() finds their forces.
   /// \param rows    must outlive this
-  /// \param basis   empty, with room for the rank of the rows
+  /// \param basis   with room for the rank of the rows
   /// \param report  takes iterations, factorisations and history; must outlive this
   /// \param limit   most iterations
   /// \param kind    how many rows join at a time

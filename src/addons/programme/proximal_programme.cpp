@@ -1,0 +1,247 @@
+#include "addons/programme/proximal_programme.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "addons/programme/programme_rows.hpp"
+#include "signorini/core/errors.hpp"
+#include "signorini/core/index.hpp"
+#include "signorini/core/rounding.hpp"
+#include "signorini/problem/exact_vector.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using Rows = std::vector<Index>;
+
+/// A programme in units of its own: u = unknown * u', and a row of A u = g is multiplied by `row`.
+struct Equilibrated {
+  VectorXd unknown;  // `n` powers of two
+  VectorXd row;      // `m` powers of two
+  DenseProgramme programme;
+
+  [[nodiscard]] VectorXd lengths(const VectorXd& u) const {
+    return u.size() > 0 ? u.cwiseProduct(unknown) : u;
+  }
+  [[nodiscard]] VectorXd forces(const VectorXd& force) const {
+    return force.size() > 0 ? force.cwiseProduct(row) : force;
+  }
+  [[nodiscard]] PrimalDual as_posed(const PrimalDual& own) const {
+    return {lengths(own.displacement), lengths(own.displacement_low), forces(own.force)};
+  }
+};
+
+/// Ruiz' rule: each row and column is divided by the root of its largest entry, which halves the exponents of these: as often as an
+/// exponent has bits, and once more.
+Equilibrated equilibrated(const DenseProgramme& posed) {
+  Equilibrated own{VectorXd::Ones(posed.load.size()), VectorXd::Ones(posed.initial_gap.size()), {}};
+  const auto root = [](double entry) { return entry > 0 ? 1 / std::sqrt(entry) : 1; };
+  for (int bit = 0; bit < 12; ++bit) {
+    const MatrixXd A = (own.row.asDiagonal() * posed.A * own.unknown.asDiagonal()).cwiseAbs();
+    const MatrixXd K =
+        (own.unknown.asDiagonal() * posed.stiffness * own.unknown.asDiagonal()).cwiseAbs();
+    VectorXd unknown = K.colwise().maxCoeff();
+    VectorXd row = VectorXd::Ones(A.rows());
+    if (A.rows() > 0) {
+      unknown = unknown.cwiseMax(A.colwise().maxCoeff().transpose());
+      row = A.rowwise().maxCoeff();
+    }
+    own.unknown = own.unknown.cwiseProduct(unknown.unaryExpr(root));
+    own.row = own.row.cwiseProduct(row.unaryExpr(root));
+  }
+  const auto power = [](double x) { return std::exp2(std::round(std::log2(x))); };
+  own.unknown = own.unknown.unaryExpr(power);
+  own.row = own.row.unaryExpr(power);
+  own.programme = {own.unknown.asDiagonal() * posed.stiffness * own.unknown.asDiagonal(),
+                   own.lengths(posed.load),
+                   own.row.asDiagonal() * posed.A * own.unknown.asDiagonal(),
+                   own.forces(posed.initial_gap), posed.equations};
+  return own;
+}
+
+/// A way from a place on a face, and how far it may be gone.
+struct Way {
+  VectorXd along;
+  double share = 0;      ///< of it, to the least energy or to the next row that closes
+  bool endless = false;  ///< whether energy falls for ever, as far as numbers can tell
+};
+
+/// How far along a way energy falls and no other row closes. What moves a row by no more than the rounding of the factor, which has
+/// the condition 1 / spring, closes none; and a place so far away that the present one is out of its digits is no place.
+Way limited(const DenseProgramme& programme, const Rows& closed, const VectorXd& u, Way way,
+            double spring) {
+  const VectorXd bent = programme.stiffness * way.along;
+  const double curvature = way.along.dot(bent);
+  const double slope = programme.load.dot(way.along) - u.dot(bent);
+  if (curvature > 0) way.share = std::min(way.share, slope / curvature);
+  const double rounding = static_cast<double>(u.size()) * epsilon;
+  const double size = largest(u);
+  const VectorXd gap = programme.initial_gap - programme.A * u;
+  const VectorXd closing = programme.A * way.along;
+  const double noise = rounding / std::sqrt(spring) * largest(way.along);
+  double any = way.share;  // noise included
+  for (Index i = programme.equations; i < gap.size(); ++i) {
+    if (closing(i) <= 0 || std::find(closed.begin(), closed.end(), i) != closed.end()) continue;
+    const double room =
+        std::max(0.0, gap(i)) + rounding * (std::abs(programme.initial_gap(i)) + size);
+    any = std::min(any, room / closing(i));
+    if (closing(i) > noise) way.share = std::min(way.share, room / closing(i));
+  }
+  const double far = std::max(size, largest(way.along)) / std::sqrt(epsilon);
+  way.endless = slope > 0 && any * largest(way.along) >= far;
+  if (std::isinf(way.share)) way.share = std::isinf(any) ? 1 : any;
+  return way;
+}
+
+/// The same with 0 where forces may be rounding of what the springs have carried, and displacements rounding of others: what is 0 in the
+/// solution has no size of its own.
+PrimalDual without_rounding(const ProgrammeRows::Refined& refined, double spring, Index size) {
+  PrimalDual less = refined.solution;
+  const double longest = largest(less.displacement);
+  const double most = std::max(largest(less.force), spring * longest);
+  less.force = (less.force.array().abs() <= static_cast<double>(size + 1) * epsilon * most)
+                   .select(0.0, less.force);
+  for (Index j = 0; j < less.displacement.size(); ++j)
+    if (std::abs(less.displacement(j)) <= epsilon * longest) {
+      less.displacement(j) = 0;
+      if (less.displacement_low.size() > 0) less.displacement_low(j) = 0;
+    }
+  return less;
+}
+
+/// The rounds of proximal_solution(), in units of their own.
+class Proximal {
+ public:
+  Proximal(const DenseProgramme& posed, const StrictMethod& method)
+      : posed_(posed),
+        own_(equilibrated(posed)),
+        method_(method),
+        data_(own_.programme, spring),
+        rest_(VectorXd::Zero(posed.load.size())) {}
+
+  DenseSolution run() {
+    best_.certificate = uncertified();
+    best_.report.status = SolveStatus::Breakdown;
+    // Rounding alone brings rows back without less energy, or takes more rounds than there are rows.
+    std::set<Rows> seen;
+    for (Index rounds = data_.count() + 10; !round() && rounds > 0; --rounds) {
+      const double energy =
+          0.5 * rest_.dot(own_.programme.stiffness * rest_) - own_.programme.load.dot(rest_);
+      const bool falls = energy < lowest_ - epsilon * std::abs(energy);
+      if (!seen.insert(*closed_).second && !falls) break;
+      if (!std::isfinite(energy)) break;
+      lowest_ = std::min(lowest_, energy);
+    }
+    return std::move(best_);
+  }
+
+ private:
+  static inline const double spring = std::sqrt(epsilon);
+
+  /// Keeps a claim if its certificate is better than those before. \return whether it is good enough
+  bool keep(const ProgrammeRows::Refined& refined, const PrimalDual& solution) {
+    PrimalDual claim = own_.as_posed(solution);
+    for (Index i = posed_.equations; i < claim.force.size(); ++i)
+      claim.force(i) = std::max(0.0, claim.force(i));
+    const Certificate certificate = certify(posed_, claim);
+    if (certificate.worst() >= best_.certificate.worst()) return false;
+    best_.certificate = certificate;
+    best_.refined = claim;
+    best_.gap = refined.gap.cwiseQuotient(own_.row);
+    best_.active = *closed_;
+    return certificate.holds();
+  }
+
+  /// One proximal point, the least energy of its face, and where the springs are at rest next. \return whether this is the end
+  bool round() {
+    DenseSolution near = method_(around_rest(), options());
+    append(best_.report, near.report);
+    const VectorXd u = rest_ + near.refined.displacement;
+    // A breakdown is a claim like others: what its rows make of the face is looked at.
+    const SolveStatus status = near.report.status;
+    const bool claims = status == SolveStatus::Solved || status == SolveStatus::Breakdown;
+    if (!claims || !u.allFinite() || !near.refined.force.allFinite()) {
+      if (closed_) return true;
+      best_.report.status = status;
+      best_.farkas_certificate = own_.forces(near.farkas_certificate);
+      best_.refined = own_.as_posed({u, {}, near.refined.force});
+      best_.gap = posed_.initial_gap - posed_.A * best_.refined.displacement;
+      return true;
+    }
+    closed_ = near.active;
+    ActiveSetFactor face = data_.basis_at(*closed_, {u, {}, near.refined.force});
+    const ProgrammeRows::Refined refined = data_.refine(face);
+    if (keep(refined, refined.solution) ||
+        keep(refined, without_rounding(refined, spring, face.size()))) {
+      best_.report.status = SolveStatus::Solved;
+      return true;
+    }
+    if (refined.settled && refined.confirmed()) return true;
+    Way way{refined.change, std::numeric_limits<double>::infinity()};
+    if (refined.settled) way = {refined.solution.displacement - u, 1};
+    way = limited(own_.programme, *closed_, u, std::move(way), spring);
+    if (way.endless) refuse(way.along);
+    rest_ = u + way.share * way.along;
+    return !rest_.allFinite();
+  }
+
+  /// The programme with springs, of the way from where they are at rest.
+  [[nodiscard]] DenseProgramme around_rest() const {
+    const DenseProgramme& own = own_.programme;
+    DenseProgramme near = own;
+    near.stiffness.diagonal().array() += spring;
+    ExactVector load(own.load);
+    ExactVector gap(own.initial_gap);
+    for (Index j = 0; j < rest_.size(); ++j) {
+      load.add_product(own.stiffness.col(j), -rest_(j));
+      gap.add_product(own.A.col(j), -rest_(j));
+    }
+    near.load = load.value();
+    near.initial_gap = gap.value();
+    return near;
+  }
+
+  /// A start from the rows that were closed last.
+  [[nodiscard]] SolverOptions options() const {
+    SolverOptions from;
+    if (!closed_) return from;
+    const Index equations = own_.programme.equations;
+    from.start.assign(at(own_.row.size() - equations), ContactStatus::Open);
+    for (const Index row : *closed_) from.start[at(row - equations)] = ContactStatus::Stick;
+    return from;
+  }
+
+  [[noreturn]] void refuse(const VectorXd& along) const {
+    Index most = 0;
+    own_.lengths(along).cwiseAbs().maxCoeff(&most);
+    throw NotDefinite(text(
+        "quadratic programme: the energy has no least value: it falls for ever along a direction "
+        "that K does not feel and no row ends, in which unknown ",
+        most + 1, along(most) > 0 ? " grows" : " falls",
+        " most; bound it, or correct the sign of its load"));
+  }
+
+  const DenseProgramme& posed_;
+  Equilibrated own_;
+  const StrictMethod& method_;
+  ProgrammeRows data_;
+  VectorXd rest_;               // where the springs are at rest
+  std::optional<Rows> closed_;  // by the last proximal point
+  double lowest_ = std::numeric_limits<double>::max();
+  DenseSolution best_;
+};
+
+}  // namespace
+
+DenseSolution proximal_solution(const DenseProgramme& programme, const StrictMethod& method) {
+  return Proximal(programme, method).run();
+}
+
+}  // namespace signorini
