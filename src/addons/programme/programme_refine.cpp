@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "addons/programme/programme_rows.hpp"
 #include "signorini/core/rounding.hpp"
