@@ -54,7 +54,7 @@ Launch launched() {
 int help(const Team& team, const std::string& file) {
   return team.help([&](const std::string& content) {
     const SceneFile scene = parse_scene(content, file, folder_of(file));
-    return stiffness_share(plan(scene.scene).bodies, team.rank - 1, team.size - 1);
+    return stiffness_share(scene.scene, team.rank - 1, team.size - 1);
   });
 }
 

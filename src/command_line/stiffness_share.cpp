@@ -58,4 +58,12 @@ Eigen::SparseMatrix<double> stiffness_share(const std::vector<BodyModel>& bodies
   return K;
 }
 
+Eigen::SparseMatrix<double> stiffness_share(const Scene& scene, int part, int parts) {
+  const Plan draft = plan(scene);
+  if (!draft.equations) return stiffness_share(draft.bodies, part, parts);
+  if (part > 0) return {draft.unknowns.count, draft.unknowns.count};
+  Ledger unread;
+  return build(scene, unread).programme.stiffness;
+}
+
 }  // namespace command_line
