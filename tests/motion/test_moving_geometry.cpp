@@ -263,9 +263,10 @@ TEST_CASE("with one factor, contact forces that turn are a load", "[motion]") {
   scene.bodies[1].supports.pop_back();
   scene.bodies[1].loads.edges = {{"top", 100, {}, "press"}};
   scene.path->halvings = 0;
-  long long most = 0, factors = 0;
+  long long most = 0, factors = 0, dropped = 0;
   const PathEnd end = solve_steps(scene, [&](const Model&, const Step& step) {
     most = std::max(most, step.solution.ledger.counted("pairs", "searches"));
+    dropped += step.solution.ledger.counted("corrections", "dropped");
     for (const LedgerEntry& entry : step.solution.ledger.entries())
       if (const auto found = entry.counts.find("factors"); found != entry.counts.end())
         factors += found->second;
@@ -274,6 +275,7 @@ TEST_CASE("with one factor, contact forces that turn are a load", "[motion]") {
   INFO(end.reason);
   REQUIRE(end.status == SolveStatus::Solved);
   CHECK(most <= 20);
+  CHECK(dropped > 0);
   CHECK(factors == 0);
 }
 

@@ -16,7 +16,7 @@ using TurnedForces =
     std::function<Eigen::VectorXd(const Eigen::VectorXd& way, const Eigen::VectorXd& force)>;
 
 /// Solves a linear problem whose contact forces turn with the way d that is its solution. K has at most the symmetric
-/// part B of that, and what is left is a load. It needs d, so the problem is solved up to three times with one factor: twice for d
+/// part B of this change, and what is left is a load. It needs d, so the problem is solved up to three times with one factor: twice for d
 /// alone, without refinement, and then as any other.
 /// \param model      with p, which it keeps
 /// \param turned     the change of contact forces
@@ -24,7 +24,7 @@ using TurnedForces =
 /// \param options    for the solver
 /// \param condensed  with the factor and the compliance of the model; gets free displacements
 /// \param ledger     goes on in the solution, with the phase `corrections`
-/// \return the solution; if the corrections lead away from each other, that without any
+/// \return the solution; without corrections if the second way differs from the first by more than half of it, or is not found
 [[nodiscard]] Solution corrected_solve(Model& model, const TurnedForces& turned,
                                        const Eigen::SparseMatrix<double>& known,
                                        SolverOptions options, Condensed& condensed, Ledger ledger);

@@ -40,7 +40,7 @@ void declare_finite_strain(const Scene& scene, Plan& draft) {
     check_element(scene.bodies[b], draft.bodies[b]);
     draft.on.push_back(text("finite strain of '", draft.bodies[b].mesh.name, "': ",
                             scene.bodies[b].material.law->name,
-                            "; 5 to 15 tangents a step, each with pairs where bodies stand then, "
+                            "; mostly 4 to 10 tangents a step, each with pairs where bodies stand then, "
                             "and a factor"));
   }
   move_pairs(scene, draft);

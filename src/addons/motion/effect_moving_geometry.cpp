@@ -13,7 +13,7 @@ void declare_moving(const Scene& scene, Plan& draft) {
                 "leave it out");
   move_pairs(scene, draft);
   draft.on.push_back(text(
-      "moving geometry: pairs are found anew in every iteration of a step, 5 to 15 of them",
+      "moving geometry: pairs are found anew in every iteration of a step, mostly 4 to 10 of them",
       any_law(scene) ? "" : "; one factor, a compliance each; strains and turns are small"));
 }
 

@@ -1,6 +1,6 @@
 // # The linear problem of an iteration
 //
-// If all strains are small, K is that of the scene, and so is its factor. As long as this leads to an end, an iteration costs
+// If all strains are small, K is that of the scene, and so is its factor. An iteration then costs
 // the compliance of the rows of its pairs. How contact forces turn is on the right then, see [corrected_solve.cpp](corrected_solve.cpp).
 //
 // Under finite strain K is the tangent of the place, and is factored. A tangent may be indefinite in a body that is stable,

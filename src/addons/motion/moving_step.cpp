@@ -2,12 +2,12 @@
 //
 // Contact of bodies that slide is no linear problem: gaps and normals depend on where the bodies are. So do forces, if strains
 // are not small. Near a place \f$ \hat u \f$ all of it is linear in the way d that is left,
-// \f[ (K - B)\,d = p - f(\hat u) - A^T\lambda, \qquad A = -N(\hat u), \qquad \text{gap} = g(\hat u) - Ad, \f]
-// where B is how contact forces turn, see [curvature.cpp](curvature.cpp) and [corrected_solve.cpp](corrected_solve.cpp),
-// and that is solved exactly, with complementarity, friction and certificate, by the road of all scenes. \f$ \hat u + d \f$ is
+// \f[ (K - B - C)\,d = p - f(\hat u) - A^T\lambda, \qquad A = -N(\hat u), \qquad \text{gap} = g(\hat u) - Ad, \f]
+// where B is how normal forces turn, see [curvature.cpp](curvature.cpp), and C how friction does, see
+// [corrected_solve.cpp](corrected_solve.cpp). That is solved and certified as any other scene, C by two corrections. \f$ \hat u + d \f$ is
 // the next place. Josephy showed in 1979 that this is Newton's method for such problems.
 //
-// Where all strains are small K does not change, and B is a load. Then one factor
+// Where all strains are small K does not change, and B and C are a load. Then one factor
 // serves all iterations of all steps: what an iteration costs is some searches and the compliance of its rows.
 //
 // The end has d = 0. So its digits are those of p - f and of g alone: forces of cells and gaps of places, each computed from
@@ -40,15 +40,15 @@ using Eigen::VectorXd;
 /// needs more than this many is none that ends.
 constexpr int most_iterations = 60;
 
-/// So many iterations have forces that turn as they go. Where they have not ended by then, those may be what leads round, and the
-/// rest does without.
+/// In so many iterations contact forces turn with the way. If a step has not ended by then, this turning may be what makes it circle,
+/// and later iterations leave it out.
 constexpr int most_with_corrections = 20;
 
 /// The way that an iteration may go while nothing but weak springs holds a body, in sizes of the smallest body.
 constexpr double bounded_way = 0.1;
 
-/// How far ahead contact forces are looked at, in sizes of the smallest body: there rounding and the bend of what they do
-/// falsify the difference alike.
+/// The distance of the difference quotient of contact forces, in sizes of the smallest body: its rounding and its truncation error
+/// are then about equal.
 constexpr double root_of_rounding = 1e-8;
 
 /// The problem that an iteration has solved.
