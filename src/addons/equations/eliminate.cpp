@@ -17,8 +17,8 @@ using Eigen::VectorXd;
 /// Beside the largest entry that was added up, a row whose entries are all less than this says nothing new.
 constexpr double nothing = 1e-12;
 
-/// And less than this is what rounding leaves of one entry that cancels. What is left out makes an error of this size: it must
-/// be far below what a certificate lets pass.
+/// Beside the same, an entry of a row that is no more than this is what rounding leaves where terms cancel, and is left out. That
+/// is an error of this size in the row: it must be far below what a certificate lets pass.
 constexpr double cancelled = 8 * epsilon;
 
 /// Beside the largest entry of a row, less than this changes no digit of what the row gives: the entries of mortar rows on
