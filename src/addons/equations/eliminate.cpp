@@ -126,6 +126,17 @@ NodalRows matrix(const std::vector<Row>& rows, Sum Row::*part, Index columns) {
 
 }  // namespace
 
+NodalRows free_columns(const NodalRows& rows, const Unknowns& unknowns) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Index row = 0; row < rows.rows(); ++row)
+    for (NodalRows::InnerIterator it(rows, row); it; ++it)
+      if (const Index unknown = unknowns.number(it.col() / 2, it.col() % 2); unknown >= 0)
+        entries.emplace_back(static_cast<int>(row), static_cast<int>(unknown), it.value());
+  NodalRows free(rows.rows(), unknowns.count);
+  free.setFromTriplets(entries.begin(), entries.end());
+  return free;
+}
+
 Eliminated eliminate(const NodalRows& rows, const VectorXd& right, const VectorXd& rounding,
                      const std::vector<Index>& own, const std::vector<Index>& which) {
   Elimination solved(rows.cols());

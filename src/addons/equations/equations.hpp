@@ -83,10 +83,6 @@ void add_relation(const Relation& relation, std::size_t number, Plan& draft, Equ
 /// \throws ProblemError for numbers that are not finite, and in axial symmetry
 void add_rigid(const RigidSide& rigid, Plan& draft, Equations& all);
 
-/// The columns of unknowns.
-/// \param rows      `m x 2 n_nodes` \param unknowns  `n` \return `m x n`
-[[nodiscard]] NodalRows free_columns(const NodalRows& rows, const Unknowns& unknowns);
-
 /// Eliminates the equations from K, p, A and g: every u that minimises the new energy fulfils them.
 ///
 /// With \f$ u_e = R u + s \f$ the energy of all others is that of \f$ T u + s \f$, T being 1 but for the rows R, and
