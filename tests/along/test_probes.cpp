@@ -111,6 +111,23 @@ TEST_CASE("forces and moments of boundaries are those of equilibrium", "[probes]
   CHECK(column(columns[2], "distance").size() == 0);
 }
 
+// Two such blocks, one glued on the other and pulled up by 5: the glue bears 5 everywhere, and pulls the lower one up as much.
+TEST_CASE("forces of bonds are read on both sides", "[probes][closed-form]") {
+  const auto columns = read(
+      block +
+      "symmetric = [\"left\", \"bottom\"]\n"
+      "[[body]]\nname = \"upper\"\nmesh = { kind = \"block\", corner = [0, 1], size = [4, 1], cells = [4, 2] }\n"
+      "symmetric = \"left\"\ntraction = { top = [0, 5] }\n"
+      "[[tie]]\nsource = \"upper.bottom\"\ntarget = \"block.top\"\n"
+      "[[probe]]\nbody = \"upper\"\nalong = \"bottom\"\n[[probe]]\nbody = \"block\"\nof = \"top\"\n");
+  const Eigen::VectorXd pull = column(columns[0], "bond_force_y");
+  REQUIRE(pull.size() == 5);
+  for (Index k = 0; k < 5; ++k)
+    CHECK(pull(k) == Approx(k == 0 || k == 4 ? -2.5 : -5).epsilon(1e-12));
+  CHECK(column(columns[1], "bond_force_y")(0) == Approx(20).epsilon(1e-12));
+  CHECK(column(columns[1], "bond_moment")(0) == Approx(40).epsilon(1e-12));
+}
+
 // Closed form: a block that is pressed by 3 rests with 3 on a floor that does not rub.
 TEST_CASE("contact is read on the source and nowhere else", "[probes][contact]") {
   const auto columns =

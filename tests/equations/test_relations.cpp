@@ -135,6 +135,29 @@ TEST_CASE("a lever shares a force between two bars", "[relations]") {
   CHECK(sum.force.y() == Approx(-2000 * 2 * moved).epsilon(1e-11));
 }
 
+// A cylinder of radius 2 and height 2, nu = 0, made shorter by 0.002 and wider by 0.001: sigma_yy = -1 on the top. What pushes
+// along the radius all round is in balance, as the forces of ties and contacts have it.
+TEST_CASE("in axial symmetry a relation has a force along the axis alone", "[relations]") {
+  Scene scene;
+  scene.bodies = {body_of(block("cylinder", {0, 0}, {2, 2}, 3, 4), 0)};
+  scene.bodies[0].material.state = PlaneState::Axial;
+  scene.bodies[0].supports = {symmetric("bottom")};
+  Bonds bonds;
+  bonds.relations = {{{term({"top", "cylinder"}, {0, 1})}, -0.002},
+                     {{term({"right", "cylinder"}, {1, 0})}, 0.001}};
+  bind(scene, bonds);
+  const SolvedScene run = solved(scene, "the cylinder");
+  const std::vector<BondForces> sums = bond_forces(run.model, run.solution);
+  REQUIRE(sums.size() == 2);
+  CHECK(sums[0].force.y() == Approx(-std::acos(-1.0) * 4).epsilon(1e-10));
+  CHECK(sums[1].force.y() == 0);
+  for (const BondForces& sum : sums) {
+    CHECK(sum.force.x() == 0);
+    CHECK(sum.moment == 0);
+  }
+  CHECK(run.solution.bond_forces[0].col(0).sum() > 1);  // which there are, all the same
+}
+
 // Two bars of E = 1000 and length 2, and between them a layer of 400 per area, pulled by 3.
 TEST_CASE("an elastic tie is a layer between bodies whose meshes do not match", "[relations]") {
   for (const MeshOrder order : {MeshOrder::Linear, MeshOrder::Quadratic}) {

@@ -116,6 +116,27 @@ TEST_CASE("a cushion under a rigid plate and a force beside its middle", "[rigid
   }
 }
 
+// 6 press the plate onto a cushion of stiffness E b / h = 2000, and springs of 500 in sum hold its nodes: the way is 6 / 2500, the
+// springs bear 1.2 of it, and what drives the plate, at nodes that the springs hold too, is a force of the plate alone.
+TEST_CASE("springs on a driven rigid side bear their own share and no more", "[rigid-sides]") {
+  RigidSide plate = top();
+  plate.centre = {3, 3};
+  plate.force = {0, -6};
+  Scene scene = pressed_block(plate, 0);
+  scene.bodies[0].supports = {symmetric("bottom"), prescribed_at("bottom", {1, 1}, Axis::X)};
+  Bonds bonds = *scene.bonds;
+  bonds.relations = {{{{plate.side, {}, {0, 1}, 1}}, 0, 500.0 / 11}};
+  scene.bonds = std::make_shared<const Bonds>(bonds);
+  const SolvedScene run = solved(scene, "the plate");
+  const std::vector<BondForces> sums = bond_forces(run.model, run.solution);
+  REQUIRE(sums.size() == 2);
+  CHECK(sums[0].name == "relation 1");
+  CHECK(sums[0].force.y() == Approx(1.2).epsilon(1e-10));
+  CHECK(sums[0].moment == Approx(3 * 1.2).epsilon(1e-10));
+  CHECK(sums[1].force.y() == Approx(-6).epsilon(1e-10));
+  CHECK(sums[1].moment == Approx(3 * -6).epsilon(1e-10));
+}
+
 // One node of the side follows a history, and the side, which may not turn, follows the node.
 TEST_CASE("a rigid side goes along with a node that a history moves", "[rigid-sides][steps]") {
   RigidSide level = top();

@@ -160,6 +160,7 @@ class Reader {
       all.emplace_back("support", held.select(support.array(), 0.0).matrix());
     }
     if (body().springs.rows() > 0) all.emplace_back("spring", spring_forces(model_, solution_, b_));
+    if (model_.equations) all.emplace_back("bond", solution_.bond_forces[b_]);
     return all;
   }
 

@@ -1,6 +1,7 @@
 #include "addons/checks/moved_forces.hpp"
 
 #include "addons/certified/solve_with_proofs.hpp"
+#include "addons/equations/eliminate.hpp"
 #include "signorini/contact/gaps.hpp"
 #include "signorini/problem/active_set_system.hpp"
 #include "signorini/scene/bodies.hpp"
@@ -14,18 +15,6 @@ namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-
-/// The columns of rows of all nodes that belong to unknowns.
-NodalRows free_columns(const Model& model, const NodalRows& rows) {
-  std::vector<Eigen::Triplet<double>> entries;
-  for (Index row = 0; row < rows.rows(); ++row)
-    for (NodalRows::InnerIterator it(rows, row); it; ++it)
-      if (const Index unknown = model.unknowns.number(it.col() / 2, it.col() % 2); unknown >= 0)
-        entries.emplace_back(static_cast<int>(row), static_cast<int>(unknown), it.value());
-  NodalRows free(rows.rows(), model.unknowns.count);
-  free.setFromTriplets(entries.begin(), entries.end());
-  return free;
-}
 
 /// Pairs that face nothing are as far open as anything moves.
 void open_far(const VectorXd& opens, const VectorXd& displacement, VectorXd& gap) {
@@ -76,7 +65,7 @@ ContactState forces_there(const Model& model, const Condensed& condensed, const 
   movement -= rows * (displacement - Eigen::Map<const VectorXd>(free.data(), free.size()));
   QuadraticProgramme with;
   with.load = model.programme.load;
-  with.A = -free_columns(model, rows);
+  with.A = -free_columns(rows, model.unknowns);
   ContactProblem problem = condensed.problem;
   Ledger unseen;
   problem.compliance = condensed.factor.compliance(with.A, unseen);

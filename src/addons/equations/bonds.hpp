@@ -11,7 +11,7 @@ namespace signorini {
 
 /// Two sides whose gap stays what it is: they carry tension as well as pressure. A rigid obstacle may be the target.
 struct Tie {
-  ContactSpec sides;    ///< source, target and operator: what else a contact may have is none of a tie
+  ContactSpec sides;    ///< source, target and operator: a tie refuses friction, interference and adjusted gaps
   bool slides = false;  ///< whether the source may slide along the target, without friction
   /// Whether gaps and overlaps of the meshes are closed, which strains the bodies. Without it the sides stay as far apart as the
   /// meshes have them, such as straight edges of two meshes along one curve.
@@ -29,8 +29,8 @@ struct RelationTerm {
   double times = 1;                             ///< and by this [-]
 };
 
-/// Terms that add up to a number: one equation, or, if terms are of all nodes of a side, one for each of these, in order along
-/// the sides, which a shift must take to each other. Terms of one node stand in all of them.
+/// A relation is one equation. If a term is of a whole side, there is one equation for each of its nodes; the nodes of all whole
+/// sides are matched in order, and a shift must take one side to the other. A term of one node stands in every equation.
 struct Relation {
   std::vector<RelationTerm> terms;        ///< one or more
   double right = 0;                       ///< what they add up to [length]

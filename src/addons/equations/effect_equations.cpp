@@ -40,12 +40,12 @@ NodalRows matrix_of(const std::vector<Equation>& rows, Index components) {
 
 const Bond& bond_of(const Equations& all, Index row) {
   for (const Bond& bond : all.bonds)
-    if (at(row) < bond.behind) return bond;
+    if (at(row) < bond.end) return bond;
   return all.bonds.back();
 }
 
 /// What messages call an equation.
-std::string in_words(const Equations& all, Index row, const Plan& draft) {
+std::string equation_in_words(const Equations& all, Index row, const Plan& draft) {
   const Index node = all.rows[at(row)].terms.front().first / 2;
   const BodyModel& body = draft.bodies[body_of_node(draft.bodies, node)];
   const Eigen::RowVector2d x = body.mesh.nodes.row(node - body.first_node);
@@ -60,7 +60,7 @@ void note_repeated(const Equations& all, const NodalRows& free, Plan& draft) {
   if (!twice.empty())
     draft.notes.push_back(text(twice.size(), " of ", all.held.size(),
                                " equations say what others say, and are left out; the first: ",
-                               in_words(all, twice.front(), draft)));
+                               equation_in_words(all, twice.front(), draft)));
 }
 
 /// Solves the equations for unknowns, refuses those that contradict others, and notes those that repeat them.
@@ -83,7 +83,7 @@ void solve_rows(Plan& draft, Equations& all) {
   all.solved = eliminate(free, right, rounding, own, all.held);
   const std::vector<Index>& wrong = all.solved.contradicting;
   require_input(wrong.empty(), wrong.size(), " equations contradict others or supports, the first: ",
-                wrong.empty() ? "" : in_words(all, wrong.front(), draft),
+                wrong.empty() ? "" : equation_in_words(all, wrong.front(), draft),
                 ". Leave out one of those that hold the same displacement");
   note_repeated(all, free, draft);
 }
@@ -119,17 +119,6 @@ void declare_equations(const Scene& scene, Plan& draft) {
 }
 
 }  // namespace
-
-NodalRows free_columns(const NodalRows& rows, const Unknowns& unknowns) {
-  std::vector<Eigen::Triplet<double>> entries;
-  for (Index row = 0; row < rows.rows(); ++row)
-    for (NodalRows::InnerIterator it(rows, row); it; ++it)
-      if (const Index unknown = unknowns.number(it.col() / 2, it.col() % 2); unknown >= 0)
-        entries.emplace_back(static_cast<int>(row), static_cast<int>(unknown), it.value());
-  NodalRows free(rows.rows(), unknowns.count);
-  free.setFromTriplets(entries.begin(), entries.end());
-  return free;
-}
 
 void register_equations() {
   add_effect({"equations",

@@ -17,8 +17,8 @@ using Eigen::VectorXd;
 /// Beside the largest entry that was added up, a row whose entries are all less than this says nothing new.
 constexpr double nothing = 1e-12;
 
-/// And less than this is what rounding leaves of one entry that cancels. What is left out makes an error of this size: it must
-/// be far below what a certificate lets pass.
+/// Beside the same, an entry of a row that is no more than this is what rounding leaves where terms cancel, and is left out. That
+/// is an error of this size in the row: it must be far below what a certificate lets pass.
 constexpr double cancelled = 8 * epsilon;
 
 /// Beside the largest entry of a row, less than this changes no digit of what the row gives: the entries of mortar rows on
@@ -125,6 +125,17 @@ NodalRows matrix(const std::vector<Row>& rows, Sum Row::*part, Index columns) {
 }
 
 }  // namespace
+
+NodalRows free_columns(const NodalRows& rows, const Unknowns& unknowns) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Index row = 0; row < rows.rows(); ++row)
+    for (NodalRows::InnerIterator it(rows, row); it; ++it)
+      if (const Index unknown = unknowns.number(it.col() / 2, it.col() % 2); unknown >= 0)
+        entries.emplace_back(static_cast<int>(row), static_cast<int>(unknown), it.value());
+  NodalRows free(rows.rows(), unknowns.count);
+  free.setFromTriplets(entries.begin(), entries.end());
+  return free;
+}
 
 Eliminated eliminate(const NodalRows& rows, const VectorXd& right, const VectorXd& rounding,
                      const std::vector<Index>& own, const std::vector<Index>& which) {

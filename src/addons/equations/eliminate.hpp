@@ -6,8 +6,13 @@
 #include <vector>
 
 #include "signorini/contact/pairs.hpp"
+#include "signorini/fem/unknowns.hpp"
 
 namespace signorini {
+
+/// The columns of unknowns.
+/// \param rows      `m x 2 n_nodes` \param unknowns  `n` \return `m x n`
+[[nodiscard]] NodalRows free_columns(const NodalRows& rows, const Unknowns& unknowns);
 
 /// Equations \f$ Cu = h \f$ in the form \f$ u_e = R u + L h \f$, in which R has no entry of an eliminated unknown.
 struct Eliminated {

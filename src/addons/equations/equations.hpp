@@ -17,7 +17,8 @@ struct Relation;
 struct RigidSide;
 struct Tie;
 
-/// A row that holds with =: the sum of coefficients times displacement components is `right`. Or a spring on what it lacks.
+/// A row that holds with =: the sum of coefficients times displacement components is `right`. With `stiffness` it does not hold
+/// exactly: a spring pulls with stiffness times what is missing.
 struct Equation {
   /// Component of a node, 2 * node + axis with the nodes of all bodies one after another, and its coefficient [-].
   std::vector<std::pair<Eigen::Index, double>> terms = {};
@@ -37,7 +38,9 @@ struct Bond {
   Pairs pairs = {};        ///< of a tie
   std::vector<Eigen::Index> nodes = {};  ///< without pairs: those whose forces are told, among all nodes
   std::size_t first = 0;   ///< of its equations
-  std::size_t behind = 0;  ///< the one behind its last
+  std::size_t end = 0;     ///< the one after its last
+  /// Of a rigid side: component and force of what drives it [force].
+  std::vector<std::pair<Eigen::Index, double>> loads = {};
 };
 
 /// The equations of a plan.
@@ -46,7 +49,6 @@ struct Equations {
   std::vector<Equation> rows = {};  ///< `m` of all bonds
   NodalRows matrix = {};            ///< C `m x 2 n_nodes` of the terms
   std::vector<Eigen::Index> held = {};  ///< numbers of the rows that hold, those that are no springs
-  std::vector<std::pair<Eigen::Index, double>> loads = {};  ///< of rigid sides: component and force [force]
   Eliminated solved = {};           ///< for unknowns
   std::vector<Eigen::Index> two_sided = {};  ///< pairs that never lift off, increasing
 };
@@ -81,11 +83,7 @@ void add_relation(const Relation& relation, std::size_t number, Plan& draft, Equ
 /// \throws ProblemError for numbers that are not finite, and in axial symmetry
 void add_rigid(const RigidSide& rigid, Plan& draft, Equations& all);
 
-/// The columns of unknowns.
-/// \param rows      `m x 2 n_nodes` \param unknowns  `n` \return `m x n`
-[[nodiscard]] NodalRows free_columns(const NodalRows& rows, const Unknowns& unknowns);
-
-/// Takes equations into K, p, A and g of a model, in whose place they then hold for every u that has the least energy.
+/// Eliminates the equations from K, p, A and g: every u that minimises the new energy fulfils them.
 ///
 /// With \f$ u_e = R u + s \f$ the energy of all others is that of \f$ T u + s \f$, T being 1 but for the rows R, and
 /// a spring on \f$ u_e - R u - s \f$ makes the eliminated unknowns what the equations say: at the minimum it is at rest.

@@ -36,15 +36,19 @@ double open_equations(const Model& model, const VectorXd& u, const VectorXd& lef
   return ratio(most, length);
 }
 
+void add_loads(const Bond& bond, VectorXd& nodal) {
+  for (const auto& [component, force] : bond.loads) nodal(component) += force;
+}
+
 /// Forces on the components of all nodes: of rows, and what drives rigid sides.
 VectorXd on_nodes(const Equations& all, const VectorXd& forces) {
   VectorXd nodal = all.matrix.transpose() * forces;
-  for (const auto& [component, force] : all.loads) nodal(component) += force;
+  for (const Bond& bond : all.bonds) add_loads(bond, nodal);
   return nodal;
 }
 
-/// What supports would have to do to the unknowns if there were no equations is what these do, with springs and what drives
-/// rigid sides. \param known  of those two `2 n_nodes`
+/// The forces that are missing at the unknowns: the residual of equilibrium, less springs and the loads of rigid sides.
+/// \param known  of these two `2 n_nodes`
 VectorXd missing_forces(const Model& model, const Solution& solution, const VectorXd& known) {
   VectorXd missing(model.unknowns.count);
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
@@ -56,26 +60,29 @@ VectorXd missing_forces(const Model& model, const Solution& solution, const Vect
   return missing;
 }
 
+/// Adds a force at x. In axial symmetry what acts along the radius is in balance all round, and nothing has a moment.
+void add_force(const Vector2d& x, const Vector2d& f, bool axial, BondForces& sum) {
+  sum.force += axial ? Vector2d(0, f.y()) : f;
+  if (!axial) sum.moment += x.x() * f.y() - x.y() * f.x();
+}
+
 /// Adds the force of a pair, as Resultants has it.
 void add_pair(const Pairs& pairs, Index pair, const Vector2d& forces, bool axial, BondForces& sum) {
   const Vector2d n = pairs.normal.row(pair).transpose();
-  Vector2d f = forces.x() * n + forces.y() * Vector2d(n.y(), -n.x());
+  const Vector2d f = forces.x() * n + forces.y() * Vector2d(n.y(), -n.x());
   const double pressure = forces.x() / pairs.weight(pair);
   sum.least_pressure = pair == 0 ? pressure : std::min(sum.least_pressure, pressure);
   sum.largest_pressure = pair == 0 ? pressure : std::max(sum.largest_pressure, pressure);
   sum.largest_shear = std::max(sum.largest_shear, std::abs(forces.y()) / pairs.weight(pair));
-  if (axial) f.x() = 0;
-  sum.force += f;
-  if (axial) return;
-  sum.moment += pairs.position(pair, 0) * f.y() - pairs.position(pair, 1) * f.x() +
-                pairs.moment.row(pair).dot(forces.transpose());
+  add_force(pairs.position.row(pair).transpose(), f, axial, sum);
+  if (!axial) sum.moment += pairs.moment.row(pair).dot(forces.transpose());
 }
 
 /// The sums of a tie.
 void add_pairs(const Model& model, const Bond& bond, const VectorXd& row_force, BondForces& sum) {
   const Index pairs = bond.pairs.weight.size();
   NodeArray forces = NodeArray::Zero(pairs, 2);
-  for (std::size_t k = bond.first; k < bond.behind; ++k) {
+  for (std::size_t k = bond.first; k < bond.end; ++k) {
     const Equation& row = model.equations->rows[k];
     forces.row(row.pair) +=
         row_force(static_cast<Index>(k)) * Eigen::RowVector2d(row.opening, row.sliding);
@@ -89,10 +96,8 @@ void add_pairs(const Model& model, const Bond& bond, const VectorXd& row_force, 
 void add_nodes(const Model& model, const Bond& bond, const VectorXd& nodal, BondForces& sum) {
   for (const Index node : bond.nodes) {
     const BodyModel& body = model.bodies[body_of_node(model.bodies, node)];
-    const Eigen::RowVector2d x = body.mesh.nodes.row(node - body.first_node);
-    const Vector2d f = nodal.segment<2>(2 * node);
-    sum.force += f;
-    sum.moment += x.x() * f.y() - x.y() * f.x();
+    add_force(body.mesh.nodes.row(node - body.first_node).transpose(), nodal.segment<2>(2 * node),
+              is_axial(body), sum);
   }
 }
 
@@ -111,9 +116,11 @@ std::vector<BondForces> bond_forces(const Model& model, const Solution& solution
     }
     VectorXd own = VectorXd::Zero(solution.equation_force.size());
     const Index first = static_cast<Index>(bond.first);
-    const Index count = static_cast<Index>(bond.behind) - first;
+    const Index count = static_cast<Index>(bond.end) - first;
     own.segment(first, count) = solution.equation_force.segment(first, count);
-    add_nodes(model, bond, on_nodes(all, own), sum);
+    VectorXd nodal = all.matrix.transpose() * own;
+    add_loads(bond, nodal);
+    add_nodes(model, bond, nodal, sum);
   }
   return sums;
 }

@@ -18,7 +18,7 @@ using Eigen::VectorXd;
 constexpr double rounded = 1e-10;
 
 /// A combination of motions: that of the first body in it stands for all in words.
-FreeMotion combined(const std::vector<FreeMotion>& modes, const VectorXd& amplitude) {
+FreeMotion combined_motion(const std::vector<FreeMotion>& modes, const VectorXd& amplitude) {
   FreeMotion whole;
   std::vector<std::string> bodies;
   for (Index k = 0; k < amplitude.size(); ++k) {
@@ -62,7 +62,7 @@ std::vector<FreeMotion> motions_left(std::vector<FreeMotion> modes, const NodalR
       amplitude(held) = -least_norm_solution(moved(Eigen::all, held), moved.col(k));
     amplitude(k) = 1;
     amplitude = (amplitude.array().abs() <= rounded).select(0, amplitude);
-    left.push_back(combined(modes, amplitude));
+    left.push_back(combined_motion(modes, amplitude));
     const VectorXd given = solved.by * left.back().shape;
     left.back().shape(solved.unknown) = given;
   }

@@ -30,7 +30,7 @@ Vector2d place_of(const Plan& draft, Index node) {
   return body.mesh.nodes.row(node - body.first_node).transpose();
 }
 
-std::string in_words(const Side& side) { return text('\'', side.boundary, "' of '", side.body, '\''); }
+std::string side_in_words(const Side& side) { return text('\'', side.boundary, "' of '", side.body, '\''); }
 
 std::vector<Index> nodes_of(const Side& side, const std::optional<Vector2d>& only_at,
                             const Plan& draft) {
@@ -53,15 +53,15 @@ void match(const std::string& what, std::vector<Placed>& all, const Plan& draft)
       });
   for (const Placed& one : all) {
     if (!whole(one)) continue;
-    require_input(one.nodes.size() == first->nodes.size(), what, ": ", in_words(one.term->side), " has ",
-                  one.nodes.size(), " nodes and ", in_words(first->term->side), " has ",
+    require_input(one.nodes.size() == first->nodes.size(), what, ": ", side_in_words(one.term->side), " has ",
+                  one.nodes.size(), " nodes and ", side_in_words(first->term->side), " has ",
                   first->nodes.size(), ": a relation takes one node of each; a [[tie]] takes any mesh");
     const Vector2d shift = place_of(draft, one.nodes.front()) - place_of(draft, first->nodes.front());
     for (std::size_t k = 0; k < one.nodes.size(); ++k) {
       const Vector2d off = place_of(draft, one.nodes[k]) - place_of(draft, first->nodes[k]) - shift;
       require_input(off.norm() <= 1e-6 * along.norm(), what, ": the node of ",
-                    in_words(one.term->side), " at ", in_brackets(place_of(draft, one.nodes[k])),
-                    " has no partner on ", in_words(first->term->side), ", it is ", off.norm(),
+                    side_in_words(one.term->side), " at ", in_brackets(place_of(draft, one.nodes[k])),
+                    " has no partner on ", side_in_words(first->term->side), ", it is ", off.norm(),
                     " off: a shift must take the nodes of one side to those of the other");
     }
   }
@@ -180,7 +180,7 @@ void add_relation(const Relation& relation, std::size_t number, Plan& draft, Equ
     all.rows.push_back(equation_of(terms, relation.right));
     all.rows.back().stiffness = relation.stiffness;
   }
-  bond.behind = all.rows.size();
+  bond.end = all.rows.size();
   draft.on.push_back(text(bond.what, " of ", relation.terms.size(),
                           relation.terms.size() == 1 ? " term: " : " terms: ", count,
                           relation.stiffness ? " springs" : " equations"));
@@ -207,12 +207,12 @@ void add_rigid(const RigidSide& rigid, Plan& draft, Equations& all) {
   give(rigid.x, {1, 0}, 0);
   give(rigid.y, {0, 1}, 0);
   give(rigid.turn, {0, 0}, motion.line().norm());  // so that its equation is of lengths, too
-  bond.behind = all.rows.size();
+  bond.end = all.rows.size();
   std::map<Index, double> push;
   motion.add_shift(rigid.centre, rigid.force, 1, push);
   motion.add_turn(rigid.moment, push);
-  for (const auto& [component, force] : push) all.loads.emplace_back(component, force);
-  draft.on.push_back(text(bond.what, ": ", bond.behind - bond.first, " equations"));
+  for (const auto& [component, force] : push) bond.loads.emplace_back(component, force);
+  draft.on.push_back(text(bond.what, ": ", bond.end - bond.first, " equations"));
   all.bonds.push_back(std::move(bond));
 }
 

@@ -13,7 +13,7 @@ using Sparse = Eigen::SparseMatrix<double>;
 
 /// T, which gives all unknowns by those that are not eliminated, or E, which tells what the eliminated ones differ by from
 /// what the equations say.
-Sparse rows_of(const Eliminated& solved, Index unknowns, bool of_difference) {
+Sparse part_of(const Eliminated& solved, Index unknowns, bool of_difference) {
   const Index count = static_cast<Index>(solved.unknown.size());
   std::vector<Eigen::Triplet<double>> entries;
   std::vector<bool> eliminated(at(unknowns), false);
@@ -45,8 +45,8 @@ class Taking {
   explicit Taking(Model& model)
       : model_(model),
         all_(*model.equations),
-        T_(rows_of(all_.solved, model.unknowns.count, false)),
-        E_(rows_of(all_.solved, model.unknowns.count, true)),
+        T_(part_of(all_.solved, model.unknowns.count, false)),
+        E_(part_of(all_.solved, model.unknowns.count, true)),
         C_(free_columns(all_.matrix, model.unknowns)),
         stiffness_(static_cast<Index>(all_.rows.size())),
         pushes_(VectorXd::Zero(model.unknowns.count)) {
@@ -56,9 +56,10 @@ class Taking {
     if (stiffness_.size() > static_cast<Index>(all_.held.size()))
       K += symmetric(Sparse(C_.transpose()) * Sparse(stiffness_.asDiagonal() * C_));
     springs_ = VectorXd(K.diagonal())(all_.solved.unknown);
-    for (const auto& [component, force] : all_.loads)
-      if (const Index k = model.unknowns.number(component / 2, component % 2); k >= 0)
-        pushes_(k) += force;
+    for (const Bond& bond : all_.bonds)
+      for (const auto& [component, force] : bond.loads)
+        if (const Index k = model.unknowns.number(component / 2, component % 2); k >= 0)
+          pushes_(k) += force;
   }
 
   /// Changes p and g. \param right  h `m` \param load  p \param movement  g

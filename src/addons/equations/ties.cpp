@@ -26,7 +26,7 @@ bool held(const Plan& draft, Index component) {
 }
 
 /// A combination of the rows of a pair.
-Equation combined(const Pairs& pairs, const NodalRows& slips, Index pair, double opening,
+Equation combined_rows(const Pairs& pairs, const NodalRows& slips, Index pair, double opening,
                   double sliding) {
   const Eigen::SparseVector<double> row =
       opening * pairs.opening.row(pair).transpose() + sliding * slips.row(pair).transpose();
@@ -59,15 +59,15 @@ std::vector<Equation> rows_of(const Pairs& pairs, const NodalRows& slips, Index 
   const Vector2d n = pairs.normal.row(pair).transpose();
   std::vector<Equation> rows;
   if (slides) {
-    rows.push_back(combined(pairs, slips, pair, 1, 0));
+    rows.push_back(combined_rows(pairs, slips, pair, 1, 0));
     const int across = std::abs(n.y()) >= std::abs(n.x()) ? 1 : 0;
     const bool other = held(draft, 2 * node + across) && std::abs(n(1 - across)) > left_over;
     rows.back().own = 2 * node + (other ? 1 - across : across);
     return rows;
   }
   const double size = n.squaredNorm();
-  rows.push_back(combined(pairs, slips, pair, n.x() / size, n.y() / size));
-  rows.push_back(combined(pairs, slips, pair, n.y() / size, -n.x() / size));
+  rows.push_back(combined_rows(pairs, slips, pair, n.x() / size, n.y() / size));
+  rows.push_back(combined_rows(pairs, slips, pair, n.y() / size, -n.x() / size));
   for (int axis = 0; axis < 2; ++axis) rows[at(axis)].own = 2 * node + axis;
   return rows;
 }
@@ -113,7 +113,7 @@ void add_springs(const Vector2d& stiffness, const Bond& bond, const NodalRows& s
   for (Index pair = 0; pair < bond.pairs.weight.size(); ++pair)
     for (const int across : {0, 1}) {
       if (stiffness(across) == 0) continue;
-      rows.push_back(combined(bond.pairs, slips, pair, 1 - across, across));
+      rows.push_back(combined_rows(bond.pairs, slips, pair, 1 - across, across));
       rows.back().stiffness = stiffness(across) * bond.pairs.weight(pair);
     }
 }
@@ -139,9 +139,9 @@ void add_tie(const Tie& tie, Plan& draft, Equations& all) {
     for (Equation& row : rows_of(bond.pairs, slips, pair, node, draft, tie.slides))
       if (!between_supports(draft, row, row.own)) all.rows.push_back(std::move(row));
   }
-  bond.behind = all.rows.size();
+  bond.end = all.rows.size();
   const bool rigid = std::holds_alternative<Obstacle>(tie.sides.target);
-  draft.on.push_back(text(bond.what, ": ", bond.behind - bond.first,
+  draft.on.push_back(text(bond.what, ": ", bond.end - bond.first,
                           tie.stiffness ? " springs" : " equations",
                           rigid ? std::string() : " by " + tie.sides.gap_operator, fitted));
   all.bonds.push_back(std::move(bond));

@@ -18,7 +18,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// The forces of all pairs as first guessed are those without friction or with all; a few turn round then.
+/// The first guess has these pairs stuck, so few turn round later. A loop that needs more solutions does not end.
 constexpr int most_solutions = 25;
 
 ContactStatus turned(ContactStatus status) {

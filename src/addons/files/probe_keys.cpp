@@ -88,11 +88,11 @@ const Keys<ProbeDraft>& probe_keys() {
       key("points", &ProbeDraft::points, "", "how many on the line, at equal distances",
           Bound::Positive),
       key("along", &ProbeDraft::along, "",
-          "a boundary: the same at its nodes, and the forces of contact, supports and springs on "
-          "them"),
+          "a boundary: the same at its nodes, and the forces of contact, supports, springs and bonds "
+          "on them"),
       key("of", &ProbeDraft::of, "",
           "a boundary: its mean displacement, and force and moment about the origin of contact, "
-          "supports and springs on its nodes")};
+          "supports, springs and bonds on its nodes")};
   return keys;
 }
 
