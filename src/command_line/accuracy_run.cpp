@@ -10,7 +10,7 @@
 
 #include "addons/estimate/goal_words.hpp"
 #include "addons/steps/steps_limit.hpp"
-#include "command_line/attendance.hpp"
+#include "command_line/run_monitor.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/core/wording.hpp"

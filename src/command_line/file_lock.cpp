@@ -10,7 +10,7 @@
 #include <set>
 #include <system_error>
 
-#include "command_line/attendance.hpp"
+#include "command_line/run_monitor.hpp"
 #include "signorini/core/errors.hpp"
 
 namespace command_line {

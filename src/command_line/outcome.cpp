@@ -9,7 +9,7 @@
 #include "addons/programme/dense_programme.hpp"
 #include "addons/programme/floating_programme.hpp"
 #include "command_line/ambiguity.hpp"
-#include "command_line/attendance.hpp"
+#include "command_line/run_monitor.hpp"
 #include "papers/solver_table.hpp"
 #include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"

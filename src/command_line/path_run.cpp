@@ -15,10 +15,10 @@
 #include <utility>
 
 #include "addons/text/text_reader.hpp"
-#include "command_line/attendance.hpp"
 #include "command_line/picture.hpp"
 #include "command_line/print.hpp"
 #include "command_line/probe_print.hpp"
+#include "command_line/run_monitor.hpp"
 #include "command_line/scene_print.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/table.hpp"
@@ -220,7 +220,7 @@ void PathFiles::add(const Model& model, const Step& step) {
     write_state(step.state, state);
     write_file(drafts_.begin(wanted_.state), state.str());
   });
-  keeps(kept(name_, wanted_, step));
+  set_kept(kept(name_, wanted_, step));
 }
 
 void PathFiles::finish(const SceneRun& run) {

@@ -8,10 +8,10 @@
 
 #include "addons/steps/steps_limit.hpp"
 #include "addons/text/text_reader.hpp"
-#include "command_line/attendance.hpp"
 #include "command_line/overdue.hpp"
 #include "command_line/picture.hpp"
 #include "command_line/probe_print.hpp"
+#include "command_line/run_monitor.hpp"
 #include "papers/solver_table.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/table.hpp"
@@ -37,7 +37,7 @@ Plan taken_out(Plan& plan) {
 /// Says, while a stage lasts, that it lasts far longer than forecast.
 Overdue watch(const Stage& stage, const SceneRun& run) {
   return Overdue(overdue_after(stage, run.prediction),
-                 taking_back() + overdue_words(stage, run.plan, run.prediction));
+                 erase_line() + overdue_words(stage, run.plan, run.prediction));
 }
 
 /// Goes along the load steps of a scene.
@@ -196,7 +196,7 @@ void write_outputs(const SceneRun& run, Drafts& drafts) {
                  probes_csv(run.file.probes, *run.model, *run.solution, nullptr));
     if (!wanted.plot.empty()) draw(drafts.begin(wanted.plot), picture_kind(wanted.plot), run);
   });
-  keeps("all files were written");
+  set_kept("all files were written");
 }
 
 }  // namespace command_line

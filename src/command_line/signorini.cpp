@@ -13,7 +13,6 @@
 
 #include "addons/files/scene_file.hpp"
 #include "command_line/accuracy_run.hpp"
-#include "command_line/attendance.hpp"
 #include "command_line/backends.hpp"
 #include "command_line/man.hpp"
 #include "command_line/mesh_run.hpp"
@@ -22,6 +21,7 @@
 #include "command_line/path_run.hpp"
 #include "command_line/picture.hpp"
 #include "command_line/print.hpp"
+#include "command_line/run_monitor.hpp"
 #include "command_line/scene_print.hpp"
 #include "papers/solver_table.hpp"
 #include "signorini/core/errors.hpp"
@@ -347,8 +347,8 @@ int main(int argc, char** argv) {
 #ifdef __GLIBC__
   mallopt(M_MMAP_THRESHOLD, 1 << 20);  // so that what a phase frees goes back to the system
 #endif
-  std::optional<command_line::Attendance> attendance;
-  if (command_line::launched().rank == 0) attendance.emplace();  // of several processes one speaks
+  std::optional<command_line::RunMonitor> monitor;
+  if (command_line::launched().rank == 0) monitor.emplace();  // of several processes one speaks
   std::function<void(int)> end;
   const int code = guarded_run(argc, argv, end);
   if (end) end(code);

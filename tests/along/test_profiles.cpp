@@ -30,14 +30,14 @@ NodeArray arc(Index pieces, double from = 2.6, double to = 0.5) {
   return points;
 }
 
-/// The largest errors of gap and normal in front of, on and behind the middle of that arc.
-std::pair<double, double> errors(const Obstacle& profile) {
+/// The largest errors of gap and normal in front of, on and behind a part of that arc. \param from, to  angles, of the middle at first
+std::pair<double, double> errors(const Obstacle& profile, double from = 1.2, double to = 1.9) {
   const Obstacle exact = disc({1, -2}, 2);
   double gap = 0;
   double normal = 0;
   for (const double distance : {1.7, 2.0, 2.4})
     for (int k = 0; k <= 40; ++k) {
-      const double angle = 1.2 + 0.7 * k / 40;
+      const double angle = from + (to - from) * k / 40;
       const Vector2d x(1 + distance * std::cos(angle), -2 + distance * std::sin(angle));
       gap = std::max(gap, std::abs(profile.look(x).gap - exact.look(x).gap));
       normal = std::max(normal, (profile.look(x).normal - exact.look(x).normal).norm());
@@ -80,6 +80,20 @@ TEST_CASE("profiles of a circle converge to it: polylines as h^2, splines as h^4
   CHECK(smooth / errors(spline(arc(80))).first == Approx(16).epsilon(0.15));
   CHECK(smooth_turned / errors(spline(arc(80))).second == Approx(8).epsilon(0.15));
   CHECK(smooth < 1e-3 * coarse);
+}
+
+// Closed form: the second derivative of a natural spline is wrong by the curvature 1/R at its end, and by (sqrt(3) - 2)^j / R at the j-th
+// point from there. In the first piece it errs by h^2/6R ((1 - b) - (1 - b)^3 - (2 - sqrt(3)) (b - b^3)), at most 0.393 of h^2/8R;
+// so 0.028 of it behind two pieces, and 1.5e-4 behind six.
+TEST_CASE("a spline errs by less than half of what a polyline does in its last pieces",
+          "[profiles][closed-form]") {
+  const double step = 2.1 / 40;
+  const Obstacle profile = spline(arc(40));
+  const double chord = 4 * step * step / 16;
+  CHECK(errors(profile, 0.5, 0.5 + step).first == Approx(0.393 * chord).epsilon(0.02));
+  CHECK(errors(profile, 2.6 - step, 2.6).first == Approx(0.393 * chord).epsilon(0.02));
+  CHECK(errors(profile, 0.5 + 2 * step, 2.6 - 2 * step).first < 0.04 * chord);
+  CHECK(errors(profile, 0.5 + 6 * step, 2.6 - 6 * step).first < 2e-4 * chord);
 }
 
 TEST_CASE("a corner is seen from both sides, and from behind", "[profiles]") {

@@ -45,7 +45,7 @@ double ArcLength::at(const Eigen::Vector2d& x) const {
   return found;
 }
 
-// Halves the side until numbers end: the length grows all along it.
+// Bisection down to neighbouring doubles; the length grows along the side.
 std::vector<double> ArcLength::places(const SideCurve& side,
                                       const std::vector<double>& lengths) const {
   const double before = at(side.point(0).position()) - length_to(side, 0);

@@ -9,6 +9,7 @@
 #include "addons/along/arc_length.hpp"
 #include "addons/along/place_in_mesh.hpp"
 #include "signorini/core/index.hpp"
+#include "signorini/core/plane.hpp"
 #include "signorini/fem/stress.hpp"
 #include "signorini/report/nodal_fields.hpp"
 #include "signorini/scene/bodies.hpp"
@@ -186,7 +187,7 @@ class Reader {
         Vector2d arm = mesh.nodes.row(node);
         if (model_.standing) arm += u.row(node).transpose();
         sum += f;
-        moment += arm.x() * f.y() - arm.y() * f.x();
+        moment += cross(arm, f);
       }
       if (axial) sum.x() = moment = none;
       add_vectors(name + "_force", "force", sum.transpose(), columns);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/plane.hpp"
 
 namespace signorini {
 namespace {
@@ -27,8 +28,6 @@ void check_points(const NodeArray& points, const std::string& name) {
 }
 
 Vector2d left_of(const Vector2d& way) { return Vector2d(-way.y(), way.x()); }
-
-double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// The normal at a corner, towards a point: between those of the lines that meet there, whatever rounding says of a point that is
 /// hardly away from the corner. \param way  from the corner to the point, or the opposite one behind the profile

@@ -6,8 +6,10 @@
 /// to the right, and normals point to the left of the walk. Beyond its ends an open profile goes on straight.
 ///
 /// The gap is the distance from the closest place, > 0 on the left. It is that of half_plane() where a profile is straight, and
-/// differs from that of a curve, whose points are h apart, by its curvature times h^2/8 at most for a polyline, and by h^4 for a
-/// spline. In front of a corner that points to the body all look at the corner, and normals turn around it; a spline has none.
+/// differs from that of a curve, whose points are h apart, by its curvature times h^2/8 at most for a polyline. A natural spline
+/// differs from it by about h^4 a few points away from its ends; in the last pieces, where it is straight at the end, by up to
+/// 0.4 of what a polyline errs by. In front of a corner that points to the body all look at the corner, and normals turn around it;
+/// a spline has none.
 #pragma once
 #include <Eigen/Core>
 

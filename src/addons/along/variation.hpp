@@ -4,7 +4,8 @@
 ///
 /// A load, a displacement, a temperature and an interference that vary are functions of the place. What a load needs besides is
 /// where it is integrated: a table has kinks and jumps, and a polynomial of high degree needs many points. So a variation has
-/// a rule for each side, exact for straight sides and for parabolas, as nodal forces are made of polynomials there.
+/// a rule for each side. It is exact on straight sides; on parabolas exact for a pressure over x or y, otherwise to rounding if a
+/// side turns by less than 45 degrees: a traction is multiplied by the length of the tangent, which is no polynomial there.
 #pragma once
 #include <Eigen/Core>
 #include <array>
@@ -38,8 +39,9 @@ struct Variation {
   [[nodiscard]] int degree() const;
 };
 
-/// Highest degree of a polynomial: with more, sixteen Gauss points of a side would not be exact.
-constexpr int largest_degree = 12;
+/// Highest degree of a polynomial. A pressure on a parabola makes 2 + 1 + 2 + 26 = 31 of it along the side, of shape function,
+/// tangent, radius and load: as much as sixteen Gauss points integrate exactly.
+constexpr int largest_degree = 13;
 
 /// \param variation  of one number \param scale  that it is divided by
 /// \return it as a function of the place; empty if the scale is 0

@@ -13,8 +13,8 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-// What is compared with relative changes: 1 would let a factor vanish. Where a step leads does not depend on these numbers, only
-// how many there are.
+// What is compared with relative changes: 1 would let a factor vanish. The path does not depend on these numbers; only the number
+// of steps does.
 
 /// A step along the path is no longer than this.
 constexpr double longest = 0.6;

@@ -15,7 +15,7 @@ namespace signorini {
 ///     g = d + (Ff)_n,\quad s^+ - s^- = s + (Ff)_t , \f]
 /// all factors positive. At m = 0 this is Coulomb's law. Redundant forces do no harm: the path keeps to the middle of them.
 ///
-/// The path begins at equal forces, with whatever that lacks of the two equations to the right, which falls with m. Friction
+/// The path begins at equal normal forces. What the two equations of the second line then lack falls with m. Friction
 /// makes it turn: m may rise before it falls again. So it is followed by its length and not by m, and the sign of the determinant
 /// of its equations tells the way [\ref AllgowerGeorg1990].
 class CentralPath {
@@ -44,11 +44,16 @@ class CentralPath {
   };
   /// One step along the path, or back to it. \return whether there is one
   bool advance();
-  /// Takes a step that stays near the path. \param back  to the path, with the change of m \param along  it, for a unit of m
+  /// Takes a step that stays near the path.
+  /// \param back   to the path, with the change of m `level_back`
+  /// \param along  the path, for a change of m by 1
+  /// \param unit   change of m for which the largest relative change along the path, of m too, is 1; > 0
+  /// \param sign   -1: m falls along the path, 1: it rises
+  /// \return whether there is such a step
   bool step(const Change& back, double level_back, const Change& along, double unit, double sign);
   bool factorise();
-  /// What changes products and movements by as much.
-  [[nodiscard]] Change change(const Eigen::VectorXd& products, const Eigen::VectorXd& movements) const;
+  /// What changes products by as much, and F f less the movements of pairs by `moves`.
+  [[nodiscard]] Change change(const Eigen::VectorXd& products, const Eigen::VectorXd& moves) const;
   /// \return a times the one and b times the other
   [[nodiscard]] static Change sum(double a, const Change& one, double b, const Change& other);
   /// All changes over what changes.

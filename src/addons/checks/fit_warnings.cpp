@@ -7,6 +7,7 @@
 #include "signorini/core/errors.hpp"
 #include "signorini/core/wording.hpp"
 #include "signorini/fem/side_curve.hpp"
+#include "signorini/pairing/side_tree.hpp"
 #include "signorini/pairing/target_search.hpp"
 #include "signorini/scene/bodies.hpp"
 
@@ -37,8 +38,7 @@ class Sags {
     if (side.nodes().size() > 2) return;  // a parabola follows the curve
     const Vector2d chord = side.point(1) - side.point(-1);
     const Vector2d other = next.point(1) - next.point(-1);
-    const double angle =
-        std::abs(std::atan2(chord.x() * other.y() - chord.y() * other.x(), chord.dot(other)));
+    const double angle = angle_between(chord, other);
     if (angle > std::atan(1.0)) return;  // an edge, as for TargetSearch
     double& sag = sag_[static_cast<std::size_t>(number)];
     sag = std::max(sag, chord.norm() * angle / 8);

@@ -6,6 +6,7 @@
 
 #include "addons/effects/fit.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/core/plane.hpp"
 #include "signorini/fem/side_curve.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/effects.hpp"
@@ -32,7 +33,7 @@ double area(const Mesh& mesh) {
       const Vector2d origin = mesh.nodes.row(mesh.cells(cell, 0)).transpose();
       const Vector2d a = mesh.nodes.row(mesh.cells(cell, k - 1)).transpose() - origin;
       const Vector2d b = mesh.nodes.row(mesh.cells(cell, k)).transpose() - origin;
-      twice += std::abs(a.x() * b.y() - a.y() * b.x());
+      twice += std::abs(cross(a, b));
     }
   return twice / 2;
 }

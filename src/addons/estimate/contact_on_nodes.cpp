@@ -4,6 +4,7 @@
 
 #include "addons/estimate/contact_edges.hpp"
 #include "signorini/core/index.hpp"
+#include "signorini/core/plane.hpp"
 
 namespace signorini {
 
@@ -46,7 +47,7 @@ Vector2d ContactOnNodes::turning(Index first, Index last, double by) const {
   for (const int kind : {0, 1}) {
     const Vector2d from = even_.col(kind).segment<2>(2 * first);
     const Vector2d to = even_.col(kind).segment<2>(2 * last);
-    turning(kind) = std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to)) / by;
+    turning(kind) = std::atan2(cross(from, to), from.dot(to)) / by;
   }
   return turning;
 }

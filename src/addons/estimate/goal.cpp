@@ -11,6 +11,7 @@
 #include "signorini/core/wording.hpp"
 #include "signorini/fem/assembly.hpp"
 #include "signorini/fem/places.hpp"
+#include "signorini/problem/active_set_system.hpp"
 #include "signorini/scene/bodies.hpp"
 
 namespace signorini {
@@ -140,8 +141,7 @@ Resultant resultant(const Model& model, const Solution& solution, const ContactF
     direction.row(pairs + static_cast<Index>(k)) << n.y(), -n.x();
   }
   if (is_axial(model.bodies.front())) direction.col(0).setZero();
-  VectorXd force(direction.rows());
-  force << contact.force, contact.friction;
+  const VectorXd force = all_forces(contact);
   const Vector2d sum = direction.transpose() * force;
   const double size = sum.norm();
   require_input(size > std::sqrt(epsilon) * force.lpNorm<1>(), "goal '", name,

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "signorini/core/index.hpp"
+#include "signorini/core/plane.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/fem/joints.hpp"
 
@@ -12,8 +13,6 @@ namespace {
 
 using Eigen::Index;
 using Eigen::Vector2d;
-
-double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 }  // namespace
 

@@ -14,6 +14,7 @@
 #include "signorini/core/errors.hpp"
 #include "signorini/core/family.hpp"
 #include "signorini/core/index.hpp"
+#include "signorini/core/plane.hpp"
 
 namespace signorini {
 namespace {
@@ -81,7 +82,7 @@ void put_cell(const GmshRecords& file, const GmshElement& cell, CellArray::RowXp
   const std::size_t n = cell.corners;
   const Eigen::Vector2d a = position(n - 2) - position(0);  // of a quadrilateral the diagonals
   const Eigen::Vector2d b = position(n - 1) - position(n == 4 ? 1 : 0);
-  const bool clockwise = a.x() * b.y() - a.y() * b.x() < 0;
+  const bool clockwise = cross(a, b) < 0;
   for (std::size_t k = 0; k < cell.n_nodes; ++k) {
     // Backwards from the same corner: 0, n - 1, ..., 1, then the midpoints 2 n - 1, ..., n.
     const std::size_t from = !clockwise || k == 0 ? k : k < n ? n - k : 3 * n - 1 - k;

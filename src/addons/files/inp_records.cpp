@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "addons/files/inp_elements.hpp"
 #include "addons/files/inp_text.hpp"
 #include "signorini/core/errors.hpp"
 
@@ -15,46 +16,6 @@ namespace {
 using Whole = std::int64_t;
 using Fields = std::vector<std::string_view>;
 constexpr Whole most = INT32_MAX;
-
-/// What a type of elements is.
-struct ElementType {
-  std::size_t corners = 0;  // 0: it is not read
-  std::size_t nodes = 0;    // 0: two or three, as many as stand on the line
-};
-
-/// The type of a name such as CPS4R: a family, a number of nodes, and letters.
-ElementType type_of(const std::string& name) {
-  if (name == "STRI65") return {3, 6};
-  const auto is = [&](const std::string& family) { return name.rfind(family, 0) == 0; };
-  for (const char* const family : {"B2", "B3", "T2D", "T3D", "R2D", "RAX", "SAX"})
-    if (is(family)) return {2, 0};
-  for (const std::string family : {"CPS", "CPE", "CPEG", "CAX", "CGAX", "M3D", "S", "STRI"}) {
-    if (!is(family) || name.size() == family.size()) continue;
-    const std::string rest = name.substr(family.size() + 1);  // of S8R5 the 5 counts freedoms
-    if (rest.find_first_of("0123456789") != rest.npos && rest != "R5") continue;
-    const char nodes = name[family.size()];
-    if (nodes == '3' || nodes == '6') return {3, nodes == '3' ? 3U : 6U};
-    if (nodes == '4' || nodes == '8') return {4, nodes == '4' ? 4U : 8U};
-  }
-  return {};
-}
-
-/// What would change the mesh and is not read, and the way out.
-const std::map<std::string, const char*>& refused() {
-  constexpr const char* numbers =
-      "write all nodes and elements out, as a pre-processor does, or as meshio convert does";
-  static const std::map<std::string, const char*> all = {
-      {"INCLUDE", "put that file in the place of this line"},
-      {"SYSTEM", "write the nodes in the coordinates of the whole"},
-      {"NGEN", numbers},
-      {"NFILL", numbers},
-      {"NCOPY", numbers},
-      {"NMAP", numbers},
-      {"ELGEN", numbers},
-      {"ELCOPY", numbers},
-      {"SYMMETRIC MODEL GENERATION", numbers}};
-  return all;
-}
 
 class Reader {
  public:
@@ -92,8 +53,8 @@ class Reader {
     static const std::set<std::string> passed = {"HEADING",  "PREPRINT",     "END PART",
                                                  "ASSEMBLY", "END ASSEMBLY", "END INSTANCE"};
     data_ = {};
-    const auto no = refused().find(keyword);
-    if (no != refused().end()) in_.fail(text("*", keyword, " is not read: ", no->second));
+    const auto no = inp_refused().find(keyword);
+    if (no != inp_refused().end()) in_.fail(text("*", keyword, " is not read: ", no->second));
     const auto member = members.find(keyword);
     if (member != members.end()) return (this->*member->second)();
     if (passed.count(keyword) == 0) out_.unread.emplace("*" + keyword, in_.line());
@@ -127,7 +88,7 @@ class Reader {
   void begin_elements() {
     refuse_input();
     type_ = inp_key(in_.value("TYPE"));
-    read_as_ = type_of(type_);
+    read_as_ = inp_element_type(type_);
     wanted_ = read_as_.nodes;
     InpSet* set = nullptr;
     if (read_as_.corners > 2 && !in_.has("ELSET"))
@@ -251,7 +212,7 @@ class Reader {
   InpRecords out_;
   std::function<void(const Fields&)> data_;  // reads the lines below it; empty: nobody does
   std::string type_;                         // of the present elements
-  ElementType read_as_;
+  InpElementType read_as_;
   std::size_t wanted_ = 0;      // nodes of the present element
   int blocks_ = 0;              // elements that no set is given for
   std::vector<Whole> numbers_;  // of the present element, which may go on in the next line

@@ -43,8 +43,7 @@ FirstAnswer first_answer(const Model& model, const Condensed& condensed, const S
   });
   ledger.count("claims", 1);
   if (state.report.status != SolveStatus::Solved) return {};
-  VectorXd force(state.force.size() + state.friction.size());
-  force << state.force, state.friction;
+  VectorXd force = all_forces(state);
   VectorXd way =
       condensed.factor.solve(model.programme.load - model.programme.A.transpose() * force);
   if (state.amplitude.size() > 0) way += mode_shapes(model.modes) * state.amplitude;

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "addons/certified/powers_of_two.hpp"
 #include "addons/programme/programme_rows.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/index.hpp"
@@ -56,9 +57,8 @@ Equilibrated equilibrated(const DenseProgramme& posed) {
     own.unknown = own.unknown.cwiseProduct(unknown.unaryExpr(root));
     own.row = own.row.cwiseProduct(row.unaryExpr(root));
   }
-  const auto power = [](double x) { return std::exp2(std::round(std::log2(x))); };
-  own.unknown = own.unknown.unaryExpr(power);
-  own.row = own.row.unaryExpr(power);
+  own.unknown = powers_of_two(own.unknown);
+  own.row = powers_of_two(own.row);
   own.programme = {own.unknown.asDiagonal() * posed.stiffness * own.unknown.asDiagonal(),
                    own.lengths(posed.load),
                    own.row.asDiagonal() * posed.A * own.unknown.asDiagonal(),

@@ -15,11 +15,11 @@ using StrictMethod = std::function<DenseSolution(const DenseProgramme&, SolverOp
 
 /// The least energy of a K that is only positive semidefinite where the equations hold, by proximal points [\ref Rockafellar1976b].
 ///
-/// With a spring on each unknown, at rest at c, the programme is strictly convex: its solution u has less energy than c, unless c
-/// is a solution already. The rows that it closes make a face, and on it the springs are taken away: refine() goes on with the residuals
-/// of K alone, each sweep a proximal point of the face. Where that settles and no sign is wrong, it is a solution. Otherwise c moves
-/// from u towards it, or along the last change where there is no least energy on the face, as long as energy falls and no other
-/// row closes. So each round closes another row, or begins at the least energy of a face that it leaves for ever: there are
+/// With a spring on each unknown, at rest at c, the programme is strictly convex: if c satisfies the rows, its solution u has less
+/// energy than c, unless c is a solution already. The rows that it closes make a face, and on it the springs are taken away: refine()
+/// goes on with the residuals of K alone, each sweep a proximal point of the face. Where that settles and no sign is wrong, it is a
+/// solution. Otherwise c moves from u towards the least energy of the face, or along the last change where there is none, as long
+/// as energy falls and no other row closes. So each round closes another row, or begins at the least energy of a face that it leaves for ever: there are
 /// finitely many.
 ///
 /// All is done in units in which no row and no column of [K A^T; A 0] has an entry beyond about 1, powers of two that round

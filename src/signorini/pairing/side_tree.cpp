@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "signorini/core/plane.hpp"
 #include "signorini/core/rounding.hpp"
 
 namespace signorini {
@@ -85,7 +86,7 @@ std::size_t build(std::vector<SideBox>& leaves, std::size_t begin, std::size_t e
 
 /// The arc tangent of sine and cosine. An arc cosine would lose half of the digits of small angles.
 double angle_between(const Vector2d& a, const Vector2d& b) {
-  return std::abs(std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)));
+  return std::abs(std::atan2(cross(a, b), a.dot(b)));
 }
 
 double SideBox::distance(const Vector2d& x) const {

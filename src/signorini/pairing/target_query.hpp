@@ -15,17 +15,11 @@
 #include <limits>
 #include <vector>
 
+#include "signorini/core/plane.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/pairing/target_search.hpp"
 
 namespace signorini {
-
-/// \param a  a vector in the plane
-/// \param b  another
-/// \return a_x b_y - a_y b_x
-[[nodiscard]] inline double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
 
 /// \param target_normal  unit vector [-]
 /// \param source_normal  of any length of about 1 [-]

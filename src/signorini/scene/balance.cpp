@@ -16,6 +16,7 @@
 #include <array>
 #include <cmath>
 
+#include "signorini/core/plane.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/scene/bodies.hpp"
 
@@ -33,11 +34,6 @@ void add(Sum& sum, double factor, const Vector2d& force, double moment) {
   sum[0] += static_cast<long double>(factor) * force.x();
   sum[1] += static_cast<long double>(factor) * force.y();
   sum[2] += static_cast<long double>(factor) * moment;
-}
-
-// In the plane a moment is a number, positive counter-clockwise.
-double cross(const Vector2d& arm, const Vector2d& force) {
-  return arm.x() * force.y() - arm.y() * force.x();
 }
 
 // The middle of every body and how far its nodes are from there. Moments about a far origin

@@ -8,26 +8,26 @@
 
 namespace command_line {
 
-/// Attends to a run in a second thread. After two seconds a line on the error stream, if that is a terminal, says what is being done
+/// Watches a run in a second thread. After two seconds a line on the error stream, if that is a terminal, says what is being done
 /// and for how long, anew in every second. An interruption (SIGINT, as by Ctrl-C, or SIGTERM) ends the program by that signal, which
 /// shells call status 130 or 143, with a word on what was done and what is kept. It waits for files that are just being written; a second
 /// interruption does not.
 ///
 /// Nothing of the work asks for the time or for signals, so it may be within one long factorisation. A signal that the program was told to
 /// ignore, as nohup tells it, stays ignored.
-class Attendance {
+class RunMonitor {
  public:
   /// Begins. All threads are to be started later, so that signals come here. Where no thread can be started nothing is said, and signals
   /// do what they would.
-  Attendance();
-  ~Attendance();
-  Attendance(const Attendance&) = delete;
-  Attendance& operator=(const Attendance&) = delete;
-  Attendance(Attendance&&) = delete;
-  Attendance& operator=(Attendance&&) = delete;
+  RunMonitor();
+  ~RunMonitor();
+  RunMonitor(const RunMonitor&) = delete;
+  RunMonitor& operator=(const RunMonitor&) = delete;
+  RunMonitor(RunMonitor&&) = delete;
+  RunMonitor& operator=(RunMonitor&&) = delete;
 
  private:
-  void attend();
+  void watch();
 
   sigset_t signals_ = {};  // that are waited for
   sigset_t before_ = {};   // that were blocked
@@ -60,12 +60,12 @@ class Uninterrupted {
 };
 
 /// Says what an interruption from now on leaves. \param what  in words, a sentence without its full stop
-void keeps(const std::string& what);
+void set_kept(const std::string& what);
 
 /// Adds something to be done before an interruption ends the program. \param last  must not throw
 void do_last(std::function<void()> last);
 
 /// \return what takes back the last line of a terminal; nothing where the error stream is none
-const char* taking_back();
+const char* erase_line();
 
 }  // namespace command_line

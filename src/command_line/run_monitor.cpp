@@ -1,4 +1,4 @@
-#include "command_line/attendance.hpp"
+#include "command_line/run_monitor.hpp"
 
 #include <unistd.h>
 
@@ -20,16 +20,16 @@ namespace {
 using namespace signorini;
 using Clock = std::chrono::steady_clock;
 
-constexpr double patience = 2;  // before the line is written [s]
-constexpr int woken = SIGUSR1;  // ends the attendance
+constexpr double quiet_time = 2;  // before the line is written [s]
+constexpr int woken = SIGUSR1;  // ends the monitor
 
 /// What the run says of itself; of one process there is one.
-struct Said {
+struct RunStatus {
   std::mutex guard;  // of what follows
   std::string doing;
   std::string kept = "nothing was written";
   bool shown = false;     // whether the line stands on the terminal
-  double due = patience;  // when it is written anew, after the begin [s]
+  double due = quiet_time;  // when it is written anew, after the begin [s]
   std::vector<std::function<void()>> last;
   std::timed_mutex files;  // are being written
   std::atomic<bool> ended{false};
@@ -40,8 +40,8 @@ struct Said {
   }
 };
 
-Said& said() {
-  static Said all;
+RunStatus& run_status() {
+  static RunStatus all;
   return all;
 }
 
@@ -54,10 +54,10 @@ void add(sigset_t& signals, int signal) {
 
 /// Writes the line anew if that is due and something is being done.
 void show() {
-  Said& run = said();
+  RunStatus& run = run_status();
   const double now = run.seconds();
-  if (run.doing.empty() || now < run.due || *taking_back() == 0) return;
-  std::cerr << taking_back() + run.doing + number(now, ": %.0f s so far") << std::flush;
+  if (run.doing.empty() || now < run.due || *erase_line() == 0) return;
+  std::cerr << erase_line() + run.doing + number(now, ": %.0f s so far") << std::flush;
   run.due = std::floor(now) + 1;
   run.shown = true;
 }
@@ -69,12 +69,12 @@ int waited(const sigset_t& signals, long milliseconds) {
 
 /// Ends the program as the signal would have, with a word.
 void interrupt(const sigset_t& signals, int signal) {
-  Said& run = said();
+  RunStatus& run = run_status();
   while (!run.files.try_lock_for(std::chrono::milliseconds(100)))
     if (waited(signals, 0) > 0) break;
   {
     const std::lock_guard<std::mutex> lock(run.guard);
-    std::cerr << text(taking_back(), "signorini: interrupted after ",
+    std::cerr << text(erase_line(), "signorini: interrupted after ",
                       number(run.seconds(), "%.1f s"),
                       run.doing.empty() ? "" : " (" + run.doing + ')', "; ", run.kept, '\n')
               << std::flush;
@@ -87,33 +87,33 @@ void interrupt(const sigset_t& signals, int signal) {
 
 }  // namespace
 
-Attendance::Attendance() {
+RunMonitor::RunMonitor() {
   sigemptyset(&signals_);
   sigaddset(&signals_, woken);
   add(signals_, SIGINT);
   add(signals_, SIGTERM);
-  static_cast<void>(said());
+  static_cast<void>(run_status());
   pthread_sigmask(SIG_BLOCK, &signals_, &before_);
   try {
-    thread_ = std::thread([this] { attend(); });
+    thread_ = std::thread([this] { watch(); });
   } catch (const std::system_error&) {
     pthread_sigmask(SIG_SETMASK, &before_, nullptr);
   }
 }
 
-Attendance::~Attendance() {
+RunMonitor::~RunMonitor() {
   if (!thread_.joinable()) return;
-  said().ended = true;
+  run_status().ended = true;
   pthread_kill(thread_.native_handle(), woken);
   thread_.join();
   pthread_sigmask(SIG_SETMASK, &before_, nullptr);
 }
 
-void Attendance::attend() {
-  while (!said().ended) {
+void RunMonitor::watch() {
+  while (!run_status().ended) {
     const int signal = waited(signals_, 100);
     if (signal < 0) {
-      const std::lock_guard<std::mutex> lock(said().guard);
+      const std::lock_guard<std::mutex> lock(run_status().guard);
       show();
     }
     if (signal == SIGINT || signal == SIGTERM) interrupt(signals_, signal);
@@ -121,26 +121,26 @@ void Attendance::attend() {
 }
 
 void Progress::say(const std::string& what) const {
-  Said& run = said();
+  RunStatus& run = run_status();
   const std::lock_guard<std::mutex> lock(run.guard);
   run.doing = what;
-  if (std::exchange(run.shown, false)) std::cerr << taking_back() << std::flush;
+  if (std::exchange(run.shown, false)) std::cerr << erase_line() << std::flush;
   show();
 }
 
-Uninterrupted::Uninterrupted() { said().files.lock(); }
-Uninterrupted::~Uninterrupted() { said().files.unlock(); }
+Uninterrupted::Uninterrupted() { run_status().files.lock(); }
+Uninterrupted::~Uninterrupted() { run_status().files.unlock(); }
 
-void keeps(const std::string& what) {
-  const std::lock_guard<std::mutex> lock(said().guard);
-  said().kept = what;
+void set_kept(const std::string& what) {
+  const std::lock_guard<std::mutex> lock(run_status().guard);
+  run_status().kept = what;
 }
 
 void do_last(std::function<void()> last) {
-  const std::lock_guard<std::mutex> lock(said().guard);
-  said().last.push_back(std::move(last));
+  const std::lock_guard<std::mutex> lock(run_status().guard);
+  run_status().last.push_back(std::move(last));
 }
 
-const char* taking_back() { return isatty(STDERR_FILENO) == 1 ? "\r\033[K" : ""; }
+const char* erase_line() { return isatty(STDERR_FILENO) == 1 ? "\r\033[K" : ""; }
 
 }  // namespace command_line
