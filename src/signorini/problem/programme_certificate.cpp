@@ -77,20 +77,24 @@ double force_size(const QuadraticProgramme& programme, const VectorXd& contact, 
 // How far the displacements go towards the obstacle, as the sum of the magnitudes of all terms,
 // since each term is rounded. Contact may hold all that moves. Then u is 0, and the length is how
 // far the forces that the body has to bear would move its stiffest unknown. If these forces are
-// rounding too, the largest force takes their place.
+// rounding too, the largest force takes their place. Where K is weak they would move it
+// much further than anything goes, so that way counts up to the largest u, unless all of u is rounding of it.
 double length_of(const QuadraticProgramme& programme, const VectorXd& contact, const VectorXd& u,
                  const VectorXd& unit) {
   const double most = std::max(largest(programme.load), largest(contact));
   const double sum = largest(programme.load - contact);
   const bool rounding = sum <= static_cast<double>(contact.size()) * epsilon * most;
-  double length = ratio(rounding ? most : sum, largest(programme.stiffness.diagonal()));
+  double length = 0;
   for (Index row = 0; row < programme.A.rows(); ++row) {
     double terms = 0;
     for (RowMatrix::InnerIterator entry(programme.A, row); entry; ++entry)
       terms += std::abs(entry.value() * u(entry.col()));
     length = std::max(length, terms / unit(row));
   }
-  return length;
+  const double way = ratio(rounding ? most : sum, largest(programme.stiffness.diagonal()));
+  const double far = largest(u);
+  const bool at_rest = std::isfinite(way) && far <= epsilon * way;
+  return std::max(length, at_rest ? way : std::min(way, far));
 }
 
 // The figures of one system, some of whose gaps may be equations. Rows of A are measured as if
