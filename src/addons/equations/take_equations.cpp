@@ -78,8 +78,7 @@ class Taking {
 
   void take_matrices() {
     QuadraticProgramme& programme = model_.programme;
-    programme.A = NodalRows(programme.A * T_);
-    programme.A.prune(0.0);
+    programme.A = on_free_unknowns(programme.A, T_);
     const Sparse moved = programme.stiffness * T_;
     const Sparse pulled = springs_.asDiagonal() * E_;
     programme.stiffness = symmetric(Sparse(T_.transpose() * moved) + Sparse(E_.transpose() * pulled));
@@ -102,6 +101,10 @@ class Taking {
 };
 
 }  // namespace
+
+Sparse by_free_unknowns(const Eliminated& solved, Index unknowns) {
+  return part_of(solved, unknowns, false);
+}
 
 void take_equations(Model& model) {
   Taking taking(model);
