@@ -47,3 +47,17 @@ TEST_CASE("a pivot that is zero is told, and the next matrix is another matter",
   REQUIRE(factor.factorise(A));
   CHECK((factor.solve(Eigen::Vector2d(1, 1)) - Eigen::Vector2d(3, -1)).norm() < 1e-15);
 }
+
+TEST_CASE("a matrix without entries in a column, or without columns, is singular", "[sparse_lu]") {
+  Eigen::SparseMatrix<double> hollow(2, 2);
+  hollow.insert(0, 0) = 1;
+  hollow.insert(1, 0) = 1;
+  Eigen::SparseMatrix<double> flat(2, 2);  // a row has none
+  flat.insert(0, 0) = 1;
+  flat.insert(0, 1) = 1;
+  for (const Eigen::SparseMatrix<double>& A : {hollow, flat, Eigen::SparseMatrix<double>(0, 0)}) {
+    CAPTURE(A.cols());
+    SparseLuFactor factor;
+    CHECK_FALSE(factor.factorise(A));
+  }
+}

@@ -142,3 +142,31 @@ TEST_CASE("load steps of a rail remember slips in tension", "[two-sided][steps]"
     CHECK(pulled_up[k] == Approx(k % 2 == 0 ? -pressed[k] : pressed[k]).epsilon(1e-9).margin(1e-11));
   CHECK(pressed.back() > 0);
 }
+
+// Of two blocks on a bed nothing presses: they follow its bulge without forces, and the upper one may slide for ever. Pairs that
+// never lift off stay closed all the same, beside the strain of the bodies and not beside how far one slides.
+TEST_CASE("sliding ties that carry nothing stay closed", "[two-sided]") {
+  Scene scene;
+  scene.bodies.resize(3);
+  const std::vector<std::string> names = {"bed", "middle", "upper"};
+  for (std::size_t b = 0; b < 3; ++b) {
+    const int cells = std::vector<int>{4, 2, 3}[b];
+    scene.bodies[b].mesh = block(names[b], {0, static_cast<double>(b)}, {4, 1}, cells, 2);
+    scene.bodies[b].material = {1000, 0, PlaneState::Stress};
+  }
+  scene.bodies[0].supports = {fixed("bottom")};
+  scene.bodies[0].loads.edges = {pulled("right", {1, 0})};
+  for (std::size_t b = 1; b < 3; ++b) {
+    ContactSpec tie;
+    tie.source = {"bottom", names[b]};
+    tie.target = Side{"top", names[b - 1]};
+    tie.friction = Friction{0.3, 0};
+    scene.contacts.push_back(tie);
+  }
+  scene.bonds = std::make_shared<const Bonds>(Bonds{{}, {0, 1}});
+  const SolvedScene run = solved(scene, "three blocks");
+  const double moves = run.solution.displacements[0].cwiseAbs().maxCoeff();
+  CHECK(run.solution.certificate.holds());
+  CHECK(run.solution.contact.gap.cwiseAbs().maxCoeff() <= 1e-10 * moves);
+  for (const NodeArray& u : run.solution.displacements) CHECK(u.cwiseAbs().maxCoeff() <= 2 * moves);
+}

@@ -20,12 +20,13 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-void check_bonds(const Scene& scene) {
+/// \param what  the bond, as messages have it
+void check_moves(const Scene& scene, const std::string& what) {
   bool moves = scene.moves;
   for (const Body& body : scene.bodies) moves = moves || body.material.law != nullptr;
-  require_input(!moves,
-                "bonds are equations between small displacements, and bodies of this scene move: "
-                "leave the bonds out, or moves and law");
+  require_input(!moves, what,
+                " is made of equations between small displacements, and bodies of this scene move: "
+                "leave it out, or moves and law");
 }
 
 NodalRows matrix_of(const std::vector<Equation>& rows, Index components) {
@@ -59,7 +60,9 @@ void note_repeated(const Equations& all, const NodalRows& free, Plan& draft) {
     if (NodalRows::InnerIterator(free, row)) twice.push_back(row);
   if (!twice.empty())
     draft.notes.push_back(text(twice.size(), " of ", all.held.size(),
-                               " equations say what others say, and are left out; the first: ",
+                               twice.size() == 1
+                                   ? " equations says what others say, and is left out: "
+                                   : " equations say what others say, and are left out; the first: ",
                                equation_in_words(all, twice.front(), draft)));
 }
 
@@ -82,17 +85,20 @@ void solve_rows(Plan& draft, Equations& all) {
   const NodalRows free = free_columns(all.matrix, draft.unknowns);
   all.solved = eliminate(free, right, rounding, own, all.held);
   const std::vector<Index>& wrong = all.solved.contradicting;
-  require_input(wrong.empty(), wrong.size(), " equations contradict others or supports, the first: ",
+  require_input(wrong.empty(), wrong.size(),
+                wrong.size() == 1 ? " equation contradicts" : " equations contradict", " others or supports, the first: ",
                 wrong.empty() ? "" : equation_in_words(all, wrong.front(), draft),
                 ". Leave out one of those that hold the same displacement");
   note_repeated(all, free, draft);
 }
 
 /// The pairs of contacts that never lift off.
-void add_two_sided(const Bonds& bonds, Plan& draft, Equations& all) {
+void add_two_sided(const Scene& scene, Plan& draft, Equations& all) {
+  const Bonds& bonds = *scene.bonds;
   for (const std::size_t contact : bonds.two_sided) {
     require_input(contact < draft.contacts.size(), "bonds: the scene has no contact number ",
                   contact, ", counted from 0");
+    check_moves(scene, text("sliding tie ", draft.contacts[contact]));
     draft.on.push_back(text("contact ", draft.contacts[contact], ": its pairs never lift off"));
   }
   for (std::size_t pair = 0; pair < draft.contact_of.size(); ++pair)
@@ -102,7 +108,6 @@ void add_two_sided(const Bonds& bonds, Plan& draft, Equations& all) {
 }
 
 void declare_equations(const Scene& scene, Plan& draft) {
-  check_bonds(scene);
   const auto all = std::make_shared<Equations>();
   for (const Tie& tie : scene.bonds->ties) add_tie(tie, draft, *all);
   std::size_t number = 0;
@@ -110,8 +115,10 @@ void declare_equations(const Scene& scene, Plan& draft) {
     add_relation(relation, ++number, draft, *all);
   for (const RigidSide& rigid : scene.bonds->rigid) add_rigid(rigid, draft, *all);
   all->matrix = matrix_of(all->rows, 2 * count_nodes(draft.bodies));
+  if (!all->bonds.empty()) check_moves(scene, all->bonds.front().what);
   solve_rows(draft, *all);
-  add_two_sided(*scene.bonds, draft, *all);
+  add_two_sided(scene, draft, *all);
+  leave_out_given_pairs(scene, *all, draft);
   draft.modes = motions_left(std::move(draft.modes), free_columns(all->matrix, draft.unknowns),
                              all->solved);
   draft.equations = all;

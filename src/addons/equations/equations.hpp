@@ -15,6 +15,7 @@ namespace signorini {
 
 struct Relation;
 struct RigidSide;
+struct Scene;
 struct Tie;
 
 /// A row that holds with =: the sum of coefficients times displacement components is `right`. With `stiffness` it does not hold
@@ -82,6 +83,21 @@ void add_relation(const Relation& relation, std::size_t number, Plan& draft, Equ
 /// Writes the equations of a rigid side. \param rigid  of the scene \param draft  knows bodies \param all  gets a bond and its rows
 /// \throws ProblemError for numbers that are not finite, and in axial symmetry
 void add_rigid(const RigidSide& rigid, Plan& draft, Equations& all);
+
+/// All unknowns by those that are not eliminated.
+/// \param solved    equations \param unknowns  `n` \return T `n x n` [-], 1 but for the rows of eliminated unknowns
+[[nodiscard]] Eigen::SparseMatrix<double> by_free_unknowns(const Eliminated& solved, Eigen::Index unknowns);
+
+/// Rows of unknowns in which equations are put, without the entries that are rounding of what cancels.
+/// \param rows  A `m x n` \param by_free  T `n x n`, see by_free_unknowns() \return A T
+[[nodiscard]] NodalRows on_free_unknowns(const NodalRows& rows, const Eigen::SparseMatrix<double>& by_free);
+
+/// Leaves out pairs that equations let neither open nor close: the forces of the equations are all that can be told there.
+/// And slips that they say are none.
+/// \param scene  for messages \param all  with `solved`; its `two_sided` are counted anew
+/// \param draft  its gaps and law are cut
+/// \throws ProblemError if such a pair overlaps, or is to stay closed and is open
+void leave_out_given_pairs(const Scene& scene, Equations& all, Plan& draft);
 
 /// Eliminates the equations from K, p, A and g: every u that minimises the new energy fulfils them.
 ///

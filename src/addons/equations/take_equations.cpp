@@ -1,7 +1,11 @@
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "addons/equations/equations.hpp"
+#include "signorini/core/errors.hpp"
 #include "signorini/core/index.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/scene/bodies.hpp"
 
 namespace signorini {
@@ -10,6 +14,11 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 using Sparse = Eigen::SparseMatrix<double>;
+
+/// A spring k times as stiff as what it joins differs from the equation in its place by 1 / k. Entries of K are rounded by epsilon
+/// times themselves, so that k epsilon of the forces do not balance. The sum of both errors is least where k is this: beyond it
+/// a spring only gets farther from what it stands for.
+const double stiffest = 1 / std::sqrt(epsilon);
 
 /// T, which gives all unknowns by those that are not eliminated, or E, which tells what the eliminated ones differ by from
 /// what the equations say.
@@ -53,6 +62,7 @@ class Taking {
     for (Index k = 0; k < stiffness_.size(); ++k)
       stiffness_(k) = all_.rows[at(k)].stiffness.value_or(0);
     Sparse& K = model.programme.stiffness;
+    check_springs(K.diagonal());
     if (stiffness_.size() > static_cast<Index>(all_.held.size()))
       K += symmetric(Sparse(C_.transpose()) * Sparse(stiffness_.asDiagonal() * C_));
     springs_ = VectorXd(K.diagonal())(all_.solved.unknown);
@@ -78,8 +88,7 @@ class Taking {
 
   void take_matrices() {
     QuadraticProgramme& programme = model_.programme;
-    programme.A = NodalRows(programme.A * T_);
-    programme.A.prune(0.0);
+    programme.A = on_free_unknowns(programme.A, T_);
     const Sparse moved = programme.stiffness * T_;
     const Sparse pulled = springs_.asDiagonal() * E_;
     programme.stiffness = symmetric(Sparse(T_.transpose() * moved) + Sparse(E_.transpose() * pulled));
@@ -92,6 +101,25 @@ class Taking {
   }
 
  private:
+  /// Refuses springs in whose entries of K those of the bodies are lost. \param bodies  diagonal of K without springs
+  void check_springs(const VectorXd& bodies) const {
+    for (Index k = 0; k < stiffness_.size(); ++k) {
+      double spring = 0;
+      double own = 0;
+      for (NodalRows::InnerIterator it(C_, k); it; ++it) {
+        spring = std::max(spring, stiffness_(k) * it.value() * it.value());
+        own = std::max(own, bodies(it.col()));
+      }
+      const auto bond = std::find_if(all_.bonds.begin(), all_.bonds.end(),
+                                     [&](const Bond& one) { return at(k) < one.end; });
+      require_input(spring <= stiffest * own, bond->what, ": a spring of it has the stiffness ", spring,
+                    " [force/length], ", spring / own,
+                    " times that of what it joins: above ", stiffest,
+                    " times, rounding spoils the balance more than stiffness helps. Leave out "
+                    "stiffness: then it holds exactly");
+    }
+  }
+
   Model& model_;
   const Equations& all_;
   Sparse T_, E_;
@@ -102,6 +130,10 @@ class Taking {
 };
 
 }  // namespace
+
+Sparse by_free_unknowns(const Eliminated& solved, Index unknowns) {
+  return part_of(solved, unknowns, false);
+}
 
 void take_equations(Model& model) {
   Taking taking(model);

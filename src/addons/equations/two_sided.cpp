@@ -10,6 +10,7 @@
 #include "signorini/core/dense.hpp"
 #include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"
+#include "signorini/scene/bodies.hpp"
 
 namespace signorini {
 namespace {
@@ -25,6 +26,43 @@ ContactStatus turned(ContactStatus status) {
   if (status == ContactStatus::SlipForward) return ContactStatus::SlipBackward;
   if (status == ContactStatus::SlipBackward) return ContactStatus::SlipForward;
   return status;
+}
+
+/// The largest displacement of a body less its rigid motion: how far it moves as a whole says nothing of gaps.
+double strained(const BodyModel& body, const NodeArray& u) {
+  const NodeArray x = body.mesh.nodes.rowwise() - body.mesh.nodes.colwise().mean();
+  NodeArray left = u.rowwise() - u.colwise().mean();
+  if (is_axial(body)) {
+    left.col(0) = u.col(0);  // a radial shift strains
+    return left.cwiseAbs().maxCoeff();
+  }
+  const double turn = (x.col(0).dot(left.col(1)) - x.col(1).dot(left.col(0))) / x.squaredNorm();
+  left.col(0) += turn * x.col(1);
+  left.col(1) -= turn * x.col(0);
+  return left.cwiseAbs().maxCoeff();
+}
+
+/// What gaps of a solution are compared with [length].
+struct Lengths {
+  double strained = 0;  // by how much bodies move in themselves
+  double rounding = 0;  // of positions, and of displacements that are given
+};
+
+Lengths lengths_of(const Model& model, const Solution& solution) {
+  Lengths lengths;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b)
+    lengths.strained = std::max(lengths.strained, strained(model.bodies[b], solution.displacements[b]));
+  const NodeArray& held = model.unknowns.held;
+  lengths.rounding = gap_rounding(model.pairs) + 64 * epsilon * held.cwiseAbs().maxCoeff();
+  return lengths;
+}
+
+/// Such a pair must not be open either, which a certificate of pairs that may be does not ask.
+void add_gaps(const Model& model, const std::vector<Index>& pairs, Solution& solution) {
+  const Lengths lengths = lengths_of(model, solution);
+  const double open = largest(VectorXd(solution.contact.gap(pairs)));
+  double& penetration = solution.certificate.penetration;
+  penetration = std::max(penetration, ratio(std::max(0.0, open - lengths.rounding), lengths.strained));
 }
 
 /// A model of which some pairs are turned round, their slips with them.
@@ -106,13 +144,11 @@ void Turned::turn_back(Solution& solution) const {
 }
 
 std::vector<Index> Turned::open(const Solution& solution, const std::vector<Index>& pairs) const {
-  double farthest = 0;
-  for (const NodeArray& u : solution.displacements)
-    farthest = std::max(farthest, u.cwiseAbs().maxCoeff());
+  const Lengths lengths = lengths_of(model_, solution);
   std::vector<Index> found;
+  const double closed = certificate_tolerance * lengths.strained + lengths.rounding;
   for (const Index pair : pairs)
-    if (std::abs(solution.contact.gap(pair)) > certificate_tolerance * farthest)
-      found.push_back(pair);
+    if (std::abs(solution.contact.gap(pair)) > closed) found.push_back(pair);
   return found;
 }
 
@@ -161,6 +197,7 @@ Solution solve_two_sided(SolveCondensed way, const Model& model, const Condensed
       continue;
     }
     side.turn_back(solution);
+    if (solved) add_gaps(model, pairs, solution);
     if (open.empty()) return solution;
     solution.contact.report.status = SolveStatus::IterationLimit;
     solution.contact.reason = "pairs that never lift off did not settle on which side presses";

@@ -10,6 +10,16 @@
 #include <Eigen/SparseLU>
 
 namespace signorini {
+namespace {
+
+// Eigen divides by the number of columns, and takes for granted that each of them has an entry.
+bool has_empty_columns(const Eigen::SparseMatrix<double>& matrix) {
+  for (Eigen::Index j = 0; j < matrix.cols(); ++j)
+    if (!Eigen::SparseMatrix<double>::InnerIterator(matrix, j)) return true;
+  return matrix.cols() == 0;
+}
+
+}  // namespace
 
 struct SparseLuFactor::Numbers {
   Eigen::SparseLU<Eigen::SparseMatrix<double>> lu;
@@ -22,6 +32,7 @@ SparseLuFactor::SparseLuFactor() : numbers_(std::make_unique<Numbers>()) {}
 SparseLuFactor::~SparseLuFactor() = default;
 
 bool SparseLuFactor::factorise(const Eigen::SparseMatrix<double>& matrix) {
+  if (has_empty_columns(matrix)) return false;
   if (!numbers_->ordered) numbers_->lu.analyzePattern(matrix);
   numbers_->ordered = true;
   numbers_->lu.factorize(matrix);

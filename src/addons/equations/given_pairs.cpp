@@ -1,0 +1,158 @@
+// Pairs whose gaps equations say. A tie may join the sides of a contact, a relation may put a side onto an obstacle: a contact
+// force there and the force of the equation act on the same displacement, and only their sum is determined. So the pair is left
+// out, as one between two supports is, and the equation has all of the force.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "addons/equations/equations.hpp"
+#include "signorini/core/errors.hpp"
+#include "signorini/core/index.hpp"
+#include "signorini/core/rounding.hpp"
+#include "signorini/core/wording.hpp"
+#include "signorini/scene/bodies.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+using Sparse = Eigen::SparseMatrix<double>;
+
+/// Beside the sum of what was added up, that is rounding: elimination lets entries below 1e-12 say nothing.
+constexpr double cancelling = 1e-12;
+
+bool has_entries(const NodalRows& rows, Index row) {
+  return static_cast<bool>(NodalRows::InnerIterator(rows, row));
+}
+
+/// Numbers that rows have where the equations alone move something.
+struct Given {
+  Given(const NodalRows& rows, const VectorXd& initial, double sign, const Sparse& T, const VectorXd& s)
+      : reduced(on_free_unknowns(rows, T)),
+        value(initial + sign * (rows * s)),
+        rounding(cancelling * (initial.cwiseAbs() + rows.cwiseAbs() * s.cwiseAbs())) {}
+
+  NodalRows reduced;  // on the unknowns that are left
+  VectorXd value;
+  VectorXd rounding;  // of it
+};
+
+/// What the unknowns are where those that are left are 0 [length].
+VectorXd given_by(const Equations& all, const Unknowns& unknowns) {
+  VectorXd right = -(all.matrix * Eigen::Map<const VectorXd>(unknowns.held.data(), unknowns.held.size()));
+  for (Index k = 0; k < right.size(); ++k) right(k) += all.rows[at(k)].right;
+  VectorXd given = VectorXd::Zero(unknowns.count);
+  given(all.solved.unknown) = VectorXd(all.solved.right * right);
+  return given;
+}
+
+/// Those of the numbered arrays of pairs that are kept.
+void cut_pairs(const std::vector<Index>& kept, Plan& draft) {
+  Gaps& gaps = draft.gaps;
+  Pairs& pairs = gaps.pairs;
+  for (NodalRows* rows : {&pairs.opening, &pairs.sliding, &gaps.A, &gaps.T})
+    if (rows->rows() > 0) *rows = selected_rows(*rows, kept);
+  for (VectorXd* numbers : {&pairs.initial_gap, &pairs.weight, &gaps.initial_slip})
+    if (numbers->size() > 0) *numbers = VectorXd((*numbers)(kept));
+  for (NodeArray* means : {&pairs.position, &pairs.normal, &pairs.moment, &pairs.target_moment})
+    *means = NodeArray((*means)(kept, Eigen::all));
+  for (std::size_t k = 0; k < kept.size(); ++k) {
+    pairs.node[k] = pairs.node[at(kept[k])];
+    draft.contact_of[k] = draft.contact_of[at(kept[k])];
+  }
+  pairs.node.resize(kept.size());
+  draft.contact_of.resize(kept.size());
+  // Pairs that are found again where the bodies have moved to would be more than these.
+  draft.followed.reset();
+}
+
+/// Leaves the slips of such pairs out, and those that are given as none.
+void cut_law(const std::vector<Index>& kept, const std::vector<bool>& slides, FrictionLaw& law) {
+  std::vector<Index> rows;
+  std::vector<Index> pairs;
+  for (std::size_t k = 0; k < law.pair.size(); ++k) {
+    const auto place = std::lower_bound(kept.begin(), kept.end(), law.pair[k]);
+    if (place == kept.end() || *place != law.pair[k] || !slides[at(*place)]) continue;
+    rows.push_back(static_cast<Index>(k));
+    pairs.push_back(static_cast<Index>(place - kept.begin()));
+  }
+  law.pair = std::move(pairs);
+  law.coefficient = VectorXd(law.coefficient(rows));
+  law.cohesion = VectorXd(law.cohesion(rows));
+}
+
+/// Refuses a pair that no force can close or open.
+void check_given(const Scene& scene, const Plan& draft, const Equations& all, Index pair, double gap,
+                 double rounding) {
+  const std::string place =
+      text(describe(draft.bodies, scene.contacts[draft.contact_of[at(pair)]]), ": the pair at ",
+           in_brackets(draft.gaps.pairs.position.row(pair)), " is held by ties, relations or rigid sides and ");
+  require_input(gap >= -rounding, place, "overlaps by ", -gap,
+                ". Leave the contact out there, or change what holds it");
+  const bool stays = std::binary_search(all.two_sided.begin(), all.two_sided.end(), pair);
+  require_input(!stays || gap <= rounding, place, "stays ", gap,
+                " apart, and never lifts off: leave out one of those that hold it");
+}
+
+void note_given(const Scene& scene, const std::vector<Index>& given, Plan& draft) {
+  for (std::size_t k = 0; k < scene.contacts.size(); ++k) {
+    const auto own = std::count_if(given.begin(), given.end(), [&](Index pair) {
+      return draft.contact_of[at(pair)] == k;
+    });
+    if (own == 0) continue;
+    draft.notes.push_back(text(describe(draft.bodies, scene.contacts[k]), ": ", own, own == 1 ? " pair" : " pairs",
+                               " can neither open nor close, for ties, relations or rigid sides hold ",
+                               own == 1 ? "it" : "them", ": no contact force there"));
+  }
+}
+
+}  // namespace
+
+NodalRows on_free_unknowns(const NodalRows& rows, const Sparse& by_free) {
+  NodalRows found = rows * by_free;
+  const NodalRows terms = rows.cwiseAbs() * by_free.cwiseAbs();
+  for (Index row = 0; row < found.rows(); ++row) {
+    double most = 0;
+    for (NodalRows::InnerIterator it(terms, row); it; ++it) most = std::max(most, it.value());
+    for (NodalRows::InnerIterator it(found, row); it; ++it)
+      if (std::abs(it.value()) <= cancelling * most) it.valueRef() = 0;
+  }
+  found.prune(0.0);
+  return found;
+}
+
+void leave_out_given_pairs(const Scene& scene, Equations& all, Plan& draft) {
+  const Gaps& gaps = draft.gaps;
+  const Index count = gaps.A.rows();
+  if (count == 0) return;
+  const Sparse T = by_free_unknowns(all.solved, draft.unknowns.count);
+  const VectorXd s = given_by(all, draft.unknowns);
+  const Given opening(gaps.A, gaps.pairs.initial_gap, -1, T, s);
+  std::vector<Index> kept;
+  std::vector<Index> given;
+  for (Index pair = 0; pair < count; ++pair) {
+    (has_entries(opening.reduced, pair) ? kept : given).push_back(pair);
+    if (has_entries(opening.reduced, pair)) continue;
+    check_given(scene, draft, all, pair, opening.value(pair),
+                gap_rounding(gaps.pairs) + opening.rounding(pair));
+  }
+  std::vector<bool> slides(at(count), true);
+  if (!draft.law.pair.empty()) {
+    const Given sliding(gaps.T, gaps.initial_slip, 1, T, s);
+    for (Index pair = 0; pair < count; ++pair)
+      slides[at(pair)] = has_entries(sliding.reduced, pair) ||
+                         std::abs(sliding.value(pair)) > gap_rounding(gaps.pairs) + sliding.rounding(pair);
+    cut_law(kept, slides, draft.law);
+  }
+  if (given.empty()) return;
+  note_given(scene, given, draft);
+  cut_pairs(kept, draft);
+  std::vector<Index> two_sided;
+  for (std::size_t k = 0; k < kept.size(); ++k)
+    if (std::binary_search(all.two_sided.begin(), all.two_sided.end(), kept[k]))
+      two_sided.push_back(static_cast<Index>(k));
+  all.two_sided = std::move(two_sided);
+}
+
+}  // namespace signorini
