@@ -99,3 +99,19 @@ TEST_CASE("a contact of sides that a tie joins has no pairs left", "[equations][
     return note.find("4 pairs can neither open nor close") != std::string::npos;
   }));
 }
+
+TEST_CASE("messages call a tie that slides a tie", "[equations][given][errors]") {
+  const std::string bodies =
+      "material = { youngs_modulus = 100, poisson_ratio = 0.3 }\n"
+      "[[body]]\nname = \"a\"\nmesh = { kind = \"block\", size = [4, 2], cells = [4, 2] }\nfixed = \"bottom\"\n"
+      "[[body]]\nname = \"b\"\nmesh = { kind = \"block\", corner = [0, 2.1], size = [4, 2], cells = [3, 2] }\n";
+  const std::string sides = "source = \"b.bottom\"\ntarget = \"a.top\"\n";
+  const std::string slides = "[[tie]]\n" + sides + "slides = true\nfriction = 0.3\n";
+  const auto message = [&](const std::string& more) {
+    return problem_message([&] { static_cast<void>(plan(scene_of(bodies + slides + more))); });
+  };
+  // The one keeps the gap of 0.1, and the other closes it.
+  CHECK(message("[[tie]]\n" + sides).find("sliding tie of 'bottom' of 'b' with 'top' of 'a': the pair at") == 0);
+  CHECK(message("[[contact]]\n" + sides).find("(ties that rub count as contacts) are about the same sides") !=
+        std::string::npos);
+}

@@ -99,7 +99,7 @@ void add_two_sided(const Scene& scene, Plan& draft, Equations& all) {
     require_input(contact < draft.contacts.size(), "bonds: the scene has no contact number ",
                   contact, ", counted from 0");
     check_moves(scene, text("sliding tie ", draft.contacts[contact]));
-    draft.on.push_back(text("contact ", draft.contacts[contact], ": its pairs never lift off"));
+    draft.on.push_back(text("sliding tie ", draft.contacts[contact], ": pairs of a contact that never lift off"));
   }
   for (std::size_t pair = 0; pair < draft.contact_of.size(); ++pair)
     if (std::find(bonds.two_sided.begin(), bonds.two_sided.end(), draft.contact_of[pair]) !=

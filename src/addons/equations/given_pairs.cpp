@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "addons/equations/bonds.hpp"
 #include "addons/equations/equations.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/index.hpp"
@@ -82,14 +83,21 @@ void cut_law(const std::vector<Index>& kept, const std::vector<bool>& slides, Fr
   law.cohesion = VectorXd(law.cohesion(rows));
 }
 
+/// What messages call a contact.
+std::string in_words(const Scene& scene, const Plan& draft, std::size_t contact) {
+  const std::string words = describe(draft.bodies, scene.contacts[contact]);
+  const std::vector<std::size_t>& ties = scene.bonds->two_sided;
+  return std::find(ties.begin(), ties.end(), contact) == ties.end() ? words : "sliding tie" + words.substr(7);
+}
+
 /// Refuses a pair that no force can close or open.
 void check_given(const Scene& scene, const Plan& draft, const Equations& all, Index pair, double gap,
                  double rounding) {
   const std::string place =
-      text(describe(draft.bodies, scene.contacts[draft.contact_of[at(pair)]]), ": the pair at ",
+      text(in_words(scene, draft, draft.contact_of[at(pair)]), ": the pair at ",
            in_brackets(draft.gaps.pairs.position.row(pair)), " is held by ties, relations or rigid sides and ");
   require_input(gap >= -rounding, place, "overlaps by ", -gap,
-                ". Leave the contact out there, or change what holds it");
+                ". Leave it out there, or change what holds it");
   const bool stays = std::binary_search(all.two_sided.begin(), all.two_sided.end(), pair);
   require_input(!stays || gap <= rounding, place, "stays ", gap,
                 " apart, and never lifts off: leave out one of those that hold it");
@@ -101,7 +109,7 @@ void note_given(const Scene& scene, const std::vector<Index>& given, Plan& draft
       return draft.contact_of[at(pair)] == k;
     });
     if (own == 0) continue;
-    draft.notes.push_back(text(describe(draft.bodies, scene.contacts[k]), ": ", own, own == 1 ? " pair" : " pairs",
+    draft.notes.push_back(text(in_words(scene, draft, k), ": ", own, own == 1 ? " pair" : " pairs",
                                " can neither open nor close, for ties, relations or rigid sides hold ",
                                own == 1 ? "it" : "them", ": no contact force there"));
   }

@@ -95,13 +95,15 @@ bool pair_the_same(const ContactSpec& one, const ContactSpec& two,
 
 // Every contact is compared with those before it. Scenes have few contacts, so this costs
 // little. The message names both, by their numbers in the scene and by their sides.
+// An add-on may count ties that rub among the contacts, which the message says.
 void check_listed_once(const Scene& scene, const std::vector<BodyModel>& bodies) {
   const std::vector<ContactSpec>& contacts = scene.contacts;
   for (std::size_t two = 1; two < contacts.size(); ++two)
     for (std::size_t one = 0; one < two; ++one)
       if (pair_the_same(contacts[one], contacts[two], bodies))
         throw ProblemError(text(
-            "contacts ", one + 1, " and ", two + 1, " of the scene are about the same sides: the ",
+            "contacts ", one + 1, " and ", two + 1, " of the scene",
+            scene.bonds ? " (ties that rub count as contacts)" : "", " are about the same sides: the ",
             describe(bodies, contacts[one]), ", and the ", describe(bodies, contacts[two]),
             ". Each would carry a part of the pressure only: leave one of them out, or let their "
             "boundaries have no side in common"));
