@@ -15,7 +15,7 @@ namespace {
 
 using Whole = std::int64_t;
 using Fields = std::vector<std::string_view>;
-constexpr Whole most = INT32_MAX;
+constexpr Whole largest_number = INT32_MAX;
 
 class Reader {
  public:
@@ -76,7 +76,7 @@ class Reader {
     data_ = [this, set](const Fields& fields) {
       GmshNode node;
       node.line = in_.line();
-      node.tag = in_.whole(fields[0], "node number", 1, most);
+      node.tag = in_.whole(fields[0], "node number", 1, largest_number);
       if (fields.size() < 3) in_.fail("expected number, x and y of a node");
       for (std::size_t k = 0; k < 3 && k + 1 < fields.size(); ++k)
         if (!fields[k + 1].empty()) node.position[k] = in_.number(fields[k + 1], "coordinate");
@@ -108,7 +108,7 @@ class Reader {
       if (numbers_.empty()) element_line_ = in_.line();
       if (read_as_.nodes == 0) wanted_ = fields.size() > 3 ? 3 : 2;
       for (const std::string_view field : fields)
-        numbers_.push_back(in_.whole(field, "element or node number", 1, most));
+        numbers_.push_back(in_.whole(field, "element or node number", 1, largest_number));
       if (numbers_.size() > wanted_) add_element(set);
     };
   }
@@ -149,9 +149,9 @@ class Reader {
       }
       InpEntry all;
       if (fields.size() < 2) in_.fail("expected first, last and step of GENERATE");
-      all.first = in_.whole(fields[0], "first " + what, 1, most);
-      all.last = in_.whole(fields[1], "last " + what, 1, most);
-      if (fields.size() > 2 && !fields[2].empty()) all.step = in_.whole(fields[2], "step", 1, most);
+      all.first = in_.whole(fields[0], "first " + what, 1, largest_number);
+      all.last = in_.whole(fields[1], "last " + what, 1, largest_number);
+      if (fields.size() > 2 && !fields[2].empty()) all.step = in_.whole(fields[2], "step", 1, largest_number);
       set.entries.push_back(all);
     };
   }
@@ -162,7 +162,7 @@ class Reader {
     if (!field.empty() && std::isdigit(static_cast<unsigned char>(field.front())) != 0) {
       if (field.size() > 2 && field.substr(field.size() - 2) == ".0")  // as meshio writes
         field.remove_suffix(2);
-      const Whole number = in_.whole(field, what + " number", 1, most);
+      const Whole number = in_.whole(field, what + " number", 1, largest_number);
       return {number, number};
     }
     const std::string key = inp_key(field);

@@ -97,9 +97,10 @@ struct Moving {
   Solution solved();
 };
 
-/// None at rest, where the linear problem is that of the scene.
+/// None at rest, where the linear problem is that of the scene, and none while supports still move: that way may be longer than the
+/// sides that it passes, and what forces do at its beginning does not tell what they do at its end.
 TurnedForces Moving::turned_forces() const {
-  if (place.at_rest() || iteration > most_with_corrections) return {};
+  if (place.at_rest() || !place.arrived() || iteration > most_with_corrections) return {};
   return [this](const VectorXd& way, const VectorXd& force) {
     return place.turned(way, force, root_of_rounding * smallest_size(model));
   };
