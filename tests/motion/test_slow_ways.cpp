@@ -54,8 +54,3 @@ TEST_CASE("all of a way is gone if pairs change, and if ways grow along themselv
 TEST_CASE("a block of rubber that slides with much friction is solved", "[motion]") {
   CHECK(try_scene(548, RandomScenes::Moving).outcome == Outcome::Solved);
 }
-
-// With forces that turn in all iterations it went round, and ended after 60 of them.
-TEST_CASE("a step that corrections lead round ends without them", "[motion]") {
-  CHECK(try_scene(342, RandomScenes::Moving).outcome == Outcome::Solved);
-}
