@@ -32,6 +32,7 @@ class SparseSetSystem {
   /// \return whether the last corrections of the last set were rounding
   [[nodiscard]] bool settled() const { return settled_; }
   /// Notes movements, and what rounding may have done to them and to forces.
+  /// \param set  closed rows and sliding pairs
   void settle(const ActiveSet& set);
   /// Takes forces over, with the movements that follow, and without roundings. \param numbers  forces in these units
   void take(ActiveSetSolution numbers);
