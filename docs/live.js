@@ -31,7 +31,6 @@ onmessage = async ({ data }) => {
     const bytes = Uint8Array.from(atob(text), c => c.charCodeAt(0));
     return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip")));
   };
-  const utf8 = text => new TextDecoder().decode(Uint8Array.from(text, c => c.charCodeAt(0)));  // the engine escapes byte by byte
   async function start() {
     await new Promise((done, fail) => {
       const script = el("script", { src: "engine.js" });
@@ -55,7 +54,7 @@ onmessage = async ({ data }) => {
     });
     const ask = async words => {
       const got = await new Promise(done => { waiting.set(++id, done); worker.postMessage({ id, words }); });
-      const answer = JSON.parse(got.text, (key, v) => typeof v === "string" ? utf8(v) : v);
+      const answer = JSON.parse(got.text);
       return { words, answer, arrays: got.arrays, milliseconds: got.milliseconds };
     };
     return { ask, started: performance.now() - begin };

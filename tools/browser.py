@@ -131,8 +131,8 @@ class Tab:
         for domain in ("Page", "Runtime", "Network", "Log"):
             browser.call(domain + ".enable", self.session)
 
-    def visit(self, page, script):
-        """Opens a page, notes what the browser complains about, and returns what the script returns."""
+    def open(self, page):
+        """Opens a page, waits until it is loaded, and returns the events till then."""
         b, events = self.browser, []
         b.call("Page.navigate", self.session, events, url="file://" + urllib.parse.quote(os.path.join(self.folder, page), safe="/#&="))
         end = time.time() + 30
@@ -140,6 +140,11 @@ class Tab:
             event = b.message(self.session, end - time.time())
             if "method" in event:
                 events.append(event)
+        return events
+
+    def visit(self, page, script):
+        """Opens a page, notes what the browser complains about, and returns what the script returns."""
+        b, events = self.browser, self.open(page)
         result = b.call("Runtime.evaluate", self.session, events, expression=script, awaitPromise=True, returnByValue=True)
         self.page = page
         self.listen(events)

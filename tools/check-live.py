@@ -40,7 +40,7 @@ class Check:
         out = self.native.stdout
         self.native.stdin.write(words.encode() + b"\n")
         self.native.stdin.flush()
-        answer = probes.in_letters(json.loads(out.readline()))
+        answer = json.loads(out.readline())
         return answer, [array.array("d", out.read(8 * int(size))) for size in out.readline().split()]
 
     def fault(self, name, what):
@@ -210,8 +210,7 @@ class Check:
             self.browser.call("Page.close", tab.session)
         tab = Tab(self.browser, self.folder)
         self.browser.call("Emulation.setScriptExecutionDisabled", tab.session, value=True)
-        self.browser.call("Page.navigate", tab.session, url="file://" + os.path.join(self.folder, page))
-        time.sleep(2)
+        tab.open(page)
         document = self.browser.call("DOM.getDocument", tab.session)["root"]["nodeId"]
         image = self.browser.call("DOM.querySelector", tab.session, nodeId=document, selector='img[src="%s"]' % picture)["nodeId"]
         if self.browser.call("DOM.getBoxModel", tab.session, nodeId=image)["model"]["width"] <= 0:

@@ -140,15 +140,6 @@ def requests_of(name, about):
     return steps, ends
 
 
-def in_letters(value):
-    """The engine writes texts byte by byte."""
-    if isinstance(value, str):
-        return value.encode("latin-1").decode()
-    if isinstance(value, list):
-        return [in_letters(v) for v in value]
-    return {k: in_letters(v) for k, v in value.items()} if isinstance(value, dict) else value
-
-
 def determined(panel):
     """The layers of a panel that the problem determines."""
     return [layer for layer in panel["layers"] if not layer["varies"]]

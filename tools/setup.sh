@@ -15,7 +15,7 @@ set -eu
 build="g++ make cmake catch2 libeigen3-dev libcli11-dev libtomlplusplus-dev gnuplot-nox perl"
 book="doxygen python3"
 check="chromium python3 fonts-dejavu-core"
-formats="python3-jsonschema python3-vtk9 python3-meshio python3-h5py python3-netcdf4"
+formats="python3-jsonschema python3-vtk9 python3-meshio meshio-tools python3-h5py python3-netcdf4"
 print="$check fonts-wqy-microhei hyphen-en-gb poppler-utils"
 live="emscripten"
 package="dpkg-dev pkg-config"

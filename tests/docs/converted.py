@@ -3,7 +3,7 @@
 
 Meshes of other formats come the documented ways: an Exodus file by `meshio convert`, a MED file by tools/med2inp.py. The files are
 written by meshio here, of blocks of linear and quadratic cells; what PROGRAM then says of the mesh, and the pressures of a scene with it,
-are those of its own block. Without meshio, h5py or netCDF4 (tools/setup.sh formats) nothing is asked and the status is 77.
+are those of its own block. Without meshio, its command, h5py or netCDF4 (tools/setup.sh formats) nothing is asked and the status is 77.
 """
 import json
 import os
@@ -18,6 +18,9 @@ try:
     import numpy
 except ImportError as missing:
     print("converted.py: not found: %s" % missing.name)
+    sys.exit(77)
+if not shutil.which("meshio"):
+    print("converted.py: not found: the command meshio")
     sys.exit(77)
 
 program, sources, folder = (os.path.abspath(path) for path in sys.argv[1:])
