@@ -7,7 +7,7 @@
 #include "meshes/split.hpp"
 #include "signorini/fem/elements.hpp"
 #include "signorini/fem/regions.hpp"
-#include "signorini/fem/reshape.hpp"
+#include "meshes/reshape.hpp"
 #include "support/meshes.hpp"
 
 using namespace signorini;

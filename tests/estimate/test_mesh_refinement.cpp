@@ -12,9 +12,9 @@
 #include "meshes/split.hpp"
 #include "signorini/core/random.hpp"
 #include "signorini/core/rounding.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "signorini/fem/regions.hpp"
-#include "signorini/fem/reshape.hpp"
+#include "meshes/reshape.hpp"
 #include "support/half_disc.hpp"
 #include "support/mesh_measures.hpp"
 

@@ -2,7 +2,7 @@
 #include <limits>
 
 #include "catch_compat.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "signorini/fem/regions.hpp"
 #include "support/message.hpp"
 

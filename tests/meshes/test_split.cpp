@@ -4,9 +4,9 @@
 
 #include "catch_compat.hpp"
 #include "meshes/split.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "signorini/fem/regions.hpp"
-#include "signorini/fem/reshape.hpp"
+#include "meshes/reshape.hpp"
 #include "support/half_disc.hpp"
 #include "support/mesh_measures.hpp"
 

@@ -4,7 +4,7 @@
 #include "catch_compat.hpp"
 #include "meshes/split.hpp"
 #include "papers/field_csv.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 
 using namespace signorini;
 

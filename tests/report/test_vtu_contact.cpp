@@ -5,7 +5,7 @@
 
 #include "addons/steps/steps.hpp"
 #include "catch_compat.hpp"
-#include "signorini/fem/reshape.hpp"
+#include "meshes/reshape.hpp"
 #include "signorini/report/vtu.hpp"
 #include "signorini/scene/readings.hpp"
 #include "support/cantilever.hpp"
