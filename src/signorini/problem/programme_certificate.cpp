@@ -96,6 +96,8 @@ double length_of(const QuadraticProgramme& programme, const VectorXd& contact, c
     const double gap = std::abs(programme.initial_gap(row)) / unit(row);
     if (gap > 0) nearest = std::min(nearest, gap);
   }
+  // Without this bound a weight of 1 on a spring of 1e-20 would forgive every overlap: its way is 1e20, and a claim of
+  // u = 0 is rounding of that.
   const double way = ratio(rounding ? most : sum, largest(programme.stiffness.diagonal()));
   const double far = largest(u);
   const bool at_rest = std::isfinite(way) && far <= epsilon * way;
