@@ -8,6 +8,7 @@
 #include "signorini/scene/motions.hpp"
 #include "signorini/scene/readings.hpp"
 #include "signorini/scene/rigid_modes.hpp"
+#include "signorini/scene/ways.hpp"
 #include "signorini/solvers/primal_dual_active_set.hpp"
 
 namespace signorini {
@@ -46,9 +47,11 @@ VectorXd on_nodes(const NodalRows& opening, const PairForces& forces) {
   return opening.transpose() * forces.normal + turned(opening).transpose() * forces.shear;
 }
 
-ContactState forces_nearby(const Condensed& condensed, const VectorXd& displacement,
-                           const VectorXd& opens, const ContactState& contact) {
-  ContactProblem problem = condensed.problem;
+ContactState forces_nearby(const Model& model, const Condensed& condensed,
+                           const VectorXd& displacement, const VectorXd& opens,
+                           const ContactState& contact) {
+  Ledger unseen;
+  ContactProblem problem = completed(model, condensed, unseen).problem;
   problem.free_gap += opens;
   open_far(opens, displacement, problem.free_gap);
   return solved(problem, contact);
