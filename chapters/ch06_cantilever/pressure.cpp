@@ -3,6 +3,7 @@
 //                                                fig_6_4_*.csv, ch06.vtu
 #include "addons/vtu/vtu.hpp"
 #include "papers/field_csv.hpp"
+#include "papers/zero_line_csv.hpp"
 #include "scene.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/fem/stress.hpp"

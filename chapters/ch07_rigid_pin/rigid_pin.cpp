@@ -5,6 +5,7 @@
 
 #include "addons/vtu/vtu.hpp"
 #include "papers/field_csv.hpp"
+#include "papers/zero_line_csv.hpp"
 #include "pin.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/fem/stress.hpp"

@@ -4,7 +4,7 @@
 #include "catch_compat.hpp"
 #include "exercise.hpp"
 #include "meshes/block.hpp"
-#include "signorini/fem/regions.hpp"
+#include "meshes/regions.hpp"
 #include "signorini/scene/effects.hpp"
 
 using ex18_4::without;

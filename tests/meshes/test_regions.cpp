@@ -3,7 +3,7 @@
 
 #include "catch_compat.hpp"
 #include "meshes/block.hpp"
-#include "signorini/fem/regions.hpp"
+#include "meshes/regions.hpp"
 #include "support/message.hpp"
 
 using Eigen::Index;
