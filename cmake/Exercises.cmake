@@ -42,7 +42,7 @@ function(signorini_linked out)  # targets in ARGN, as words for the linker
   list(TRANSFORM ARGN REPLACE "(.+)" "$<TARGET_FILE:\\1>" OUTPUT_VARIABLE files)
   list(JOIN signorini_registered " " registered)
   list(JOIN files " " files)
-  set(${out} "${registered} -Wl,--start-group ${files} -Wl,--end-group" PARENT_SCOPE)
+  set(${out} "${registered} -Wl,--start-group ${files} -Wl,--end-group -pthread" PARENT_SCOPE)
 endfunction()
 
 function(signorini_exercise dir)

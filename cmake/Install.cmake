@@ -28,6 +28,7 @@ string(JOIN ", " components ${signorini_folders})
 file(WRITE ${PROJECT_BINARY_DIR}/signoriniConfig.cmake
 "include(CMakeFindDependencyMacro)
 find_dependency(Eigen3 CONFIG)
+find_dependency(Threads)
 include(\${CMAKE_CURRENT_LIST_DIR}/signoriniTargets.cmake)
 foreach(component IN LISTS signorini_FIND_COMPONENTS)
   if(NOT TARGET signorini::\${component})

@@ -24,7 +24,7 @@ Description: contact problems in the plane, solved and certified; C++17
 Version: @PROJECT_VERSION@
 Requires: eigen3 >= 3.4
 Cflags: -I\${includedir} -ffp-contract=off@native@
-Libs: -L\${libdir} @registered@ @linked@
+Libs: -L\${libdir} @registered@ @linked@ -pthread
 ")
 install(FILES ${PROJECT_BINARY_DIR}/signorini.pc DESTINATION ${pc_dir})
 

@@ -76,6 +76,9 @@ void declare_solve(CLI::App& app, Request& request) {
   add("--backend", request.backend, "NAME",
       "a name of --list: who factors the stiffness matrix; mpirun -np N gives mumps N processes")
       ->capture_default_str();
+  add("--threads", request.threads, "NUMBER",
+      "how many threads assemble, factor and refine: with any, numbers are the same to the last bit; "
+      "without it one for each core, and one in each process of mpirun");
   declare_files(*solve, request.output);
   add("--from", request.from, "FILE",
       "goes on from what --state wrote, to the same numbers; files keep the steps up to there, and "

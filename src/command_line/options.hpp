@@ -15,6 +15,7 @@ struct Request {
   std::string tolerance_text = "1e-12";  ///< as it was written
   double tolerance = 0;                  ///< as it was understood
   std::string backend = "frontal";       ///< name of the one that factors K
+  std::string threads;                   ///< how many, or empty: one for each core
   signorini::Output output;  ///< files to write, in the place of those that a scene asks for
   AccuracyWish accuracy;     ///< of a scene that is to be refined
   std::string from;          ///< file of the state that load steps go on from, or empty

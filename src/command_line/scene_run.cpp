@@ -8,6 +8,7 @@
 
 #include "addons/steps/steps_limit.hpp"
 #include "addons/text/text_reader.hpp"
+#include "addons/vtu/vtu.hpp"
 #include "command_line/overdue.hpp"
 #include "command_line/picture.hpp"
 #include "command_line/probe_print.hpp"
@@ -17,7 +18,6 @@
 #include "signorini/core/table.hpp"
 #include "signorini/report/pressure_table.hpp"
 #include "signorini/report/results.hpp"
-#include "signorini/report/vtu.hpp"
 #include "signorini/scene/ways.hpp"
 
 namespace command_line {

@@ -1,10 +1,13 @@
 // The program `signorini`: solves problems from files with the solvers of the book.
 // Run:  signorini plan|solve|mesh|lcp|friction|qp FILE [options];  signorini --list | --man | --version
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <iostream>
 #include <optional>
 #include <string>
+#include <thread>
 #include <vector>
 
 #ifdef __GLIBC__
@@ -25,6 +28,7 @@
 #include "command_line/scene_print.hpp"
 #include "papers/solver_table.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/core/parts.hpp"
 #include "signorini/core/wording.hpp"
 #include "signorini/report/results.hpp"
 
@@ -271,6 +275,19 @@ double tolerance_of(const std::string& word) {
   return *value;
 }
 
+/// Threads of a process, as asked for. \param word  of the option, or empty
+int threads_of(const std::string& word) {
+  if (word.empty())
+    return command_line::launched().size > 1
+               ? 1
+               : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  constexpr double most = 1024;
+  const std::optional<double> value = command_line::positive(word);
+  require_input(value && *value == std::floor(*value) && *value <= most,
+                "--threads: expected a whole number from 1 to ", most, ", got '", word, '\'');
+  return static_cast<int>(*value);
+}
+
 /// The options that ask for no command. \return whether one of them was given
 bool answered(const CLI::App& app) {
   if (app.count("--list") > 0)
@@ -321,7 +338,10 @@ int run(int argc, char** argv, std::function<void(int)>& end) {
   check_solver(request.solver, !scene);
   if (command == "plan") return plan_scene(request);
   if (command == "mesh") return tell_of_mesh(request);
-  if (command == "solve") return solve_with_backend(request, end);
+  if (command == "solve") {
+    set_threads(threads_of(request.threads));
+    return solve_with_backend(request, end);
+  }
   return command == "qp" ? solve_qp(request) : solve_pairs(request, command.c_str());
 }
 

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "catch_compat.hpp"
+#include "meshes/block.hpp"
 #include "signorini/core/rounding.hpp"
-#include "signorini/fem/block.hpp"
 #include "signorini/scene/scene.hpp"
 #include "signorini/scene/ways.hpp"
 #include "signorini/solvers/primal_dual_active_set.hpp"

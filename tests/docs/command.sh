@@ -46,6 +46,14 @@ expect 1 'friction_split +refused .*must be symmetric' friction "$fc/FC2D_Slider
 expect 0 'may fail on problems that are:' --list
 expect 0 'frontal' --list
 expect 0 '--tolerance' lcp --help
+expect 2 "^signorini: --threads: expected a whole number from 1 to 1024, got '0'" solve "$examples/cantilever.toml" --threads 0
+expect 2 "^signorini: --threads: expected a whole number from 1 to 1024, got '1\.5'" solve "$examples/cantilever.toml" --threads 1.5
+for threads in 1 3; do
+    "$program" solve "$examples/hertz.toml" --threads $threads --csv threads_$threads.csv --vtu threads_$threads.vtu > /dev/null || failures=$((failures + 1))
+done
+for file in csv vtu; do
+    cmp threads_1.$file threads_3.$file || failures=$((failures + 1))
+done
 expect 1 'primal_dual_active_set +not tried +needs a symmetric matrix' lcp asymmetric --solver primal_dual_active_set
 printf 'n 2\nM\n0 1\n-1 0\nq\n-5 -6\n' > skew
 expect 1 'quasi_active_set +infeasible' lcp immovable

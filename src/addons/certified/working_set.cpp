@@ -174,4 +174,19 @@ std::optional<CertifiedSolution> working_set_solution(const Model& model,
   }
 }
 
+/// An empty compliance of three pairs was left out. An empty one of no pairs is all of it.
+bool is_complete(const Condensed& condensed) {
+  const ContactProblem& problem = condensed.problem;
+  return problem.compliance.rows() == problem.free_gap.size() + problem.free_slip.size();
+}
+
+Condensed completed(const Model& model, Condensed condensed, Ledger& ledger) {
+  if (is_complete(condensed)) return condensed;
+  const Ledger::Phase phase(ledger, "condensation");
+  Eigen::MatrixXd& compliance = condensed.problem.compliance;
+  compliance = condensed.factor.compliance(model.programme.A, ledger);
+  ledger.bytes(compliance.size() * static_cast<long long>(sizeof(double)));
+  return condensed;
+}
+
 }  // namespace signorini

@@ -21,6 +21,13 @@ namespace signorini {
 /// \return whether it is
 [[nodiscard]] bool working_set_pays(const Plan& plan, Eigen::Index pairs, double operations);
 
+/// \param condensed  from condense() or condense_as_needed() \return whether it has its compliance
+[[nodiscard]] bool is_complete(const Condensed& condensed);
+
+/// Makes the compliance that was left out. \param model  that was condensed \param condensed  from condense_as_needed()
+/// \param ledger  receives more of the phase `condensation` \return what condense() would have returned
+[[nodiscard]] Condensed completed(const Model& model, Condensed condensed, Ledger& ledger);
+
 /// Solves a model whose compliance was left out. The set begins with the pairs that overlap or touch without contact forces;
 /// of more than the factor pays for, with every second, third, ... of them: a load may make all pairs overlap where few will
 /// close. certified_solve() of the set alone gives forces and displacements. Pairs outside that do not stay open there come in

@@ -89,7 +89,7 @@ class FrontalFactor {
   /// \return multiplications, additions, divisions and roots of the factorisation
   [[nodiscard]] double operations() const { return fronts_.operations(); }
   /// \return multiplications, additions and divisions of one solve()
-  [[nodiscard]] double solve_operations() const { return whole_.solve_operations; }
+  [[nodiscard]] double solve_operations() const { return solve_operations_; }
 
  private:
   using Matrix = Eigen::SparseMatrix<double>;
@@ -98,13 +98,20 @@ class FrontalFactor {
   class Elimination;
   class Walk;
 
+  /// Fills L. \return the place of the first pivot that is too small, n if there is none
+  [[nodiscard]] Eigen::Index eliminated(const Matrix& stiffness,
+                                        const std::vector<Eigen::Index>& grounded);
+  [[nodiscard]] double pivot(Eigen::Index place) const;  // that was too small
   void number_rows(const Front& front, std::vector<int>& row) const;
   [[nodiscard]] Columns columns(const Front& front) const;
-  void forward(Eigen::VectorXd& x, const std::vector<int>& fronts) const;
-  void backward(Eigen::VectorXd& x, const std::vector<int>& fronts) const;
+  template <typename Add>
+  void forward(const Front& front, Eigen::VectorXd& x, Eigen::VectorXd& numbers, Add&& add) const;
+  void backward(const Front& front, Eigen::VectorXd& x, Eigen::VectorXd& numbers) const;
+  void forward_in_parts(Eigen::VectorXd& x) const;
+  void backward_in_parts(Eigen::VectorXd& x) const;
 
   Fronts fronts_;
-  Part whole_;
+  double solve_operations_ = 0;
   Eigen::VectorXd entries_;  // of L, front by front
   double scale_ = 1;         // L L^T = scale K, a power of two: no unit of force changes a bit of L
 };

@@ -31,6 +31,45 @@ bool is_of(const SeparatorTree& tree, Index n) {
   return next == n && static_cast<Index>(tree.order.size()) == n;
 }
 
+/// A subtree with at most this share of all operations is one part. Threads that find no part left wait for the others: of 16
+/// threads each for at most a quarter of its own work.
+constexpr double largest_share = 1.0 / 64;
+/// And one with so few operations, which are done while a thread begins.
+constexpr double smallest_part = 1e6;
+
+/// Parts of a tree, from the sizes of the fronts alone.
+std::vector<TreePart> parts_of(const Fronts& fronts) {
+  const std::size_t count = fronts.all.size();
+  std::vector<double> work(count);    // of each front and all below it
+  std::vector<int> first(count);      // the first front there
+  std::vector<int> above(count, -1);  // the front above each
+  for (std::size_t k = 0; k < count; ++k) {
+    const Front& front = fronts.all[k];
+    work[k] = elimination_operations(front.own(), front.rim());
+    first[k] = static_cast<int>(k);
+    for (const int below : front.separator.below) {
+      if (below < 0) continue;
+      work[k] += work[at(below)];
+      first[k] = std::min(first[k], first[at(below)]);
+      above[at(below)] = static_cast<int>(k);
+    }
+  }
+  const double limit = std::max(smallest_part, largest_share * fronts.operations());
+  std::vector<TreePart> parts;
+  std::vector<int> part_of(count, -1);  // that ends with a front
+  for (std::size_t k = 0; k < count; ++k) {
+    const bool whole = work[k] <= limit;
+    if (whole && above[k] >= 0 && work[at(above[k])] <= limit) continue;
+    part_of[k] = static_cast<int>(parts.size());
+    parts.push_back({whole ? first[k] : static_cast<int>(k), static_cast<int>(k) + 1, -1, {}});
+    if (whole) continue;
+    for (const int below : fronts.all[k].separator.below)
+      if (below >= 0) parts.back().below.push_back(part_of[at(below)]);
+    for (const int below : parts.back().below) parts[at(below)].above = part_of[k];
+  }
+  return parts;
+}
+
 }  // namespace
 
 Fronts fronts_of(const Matrix& matrix, const SeparatorTree& tree) {
@@ -65,6 +104,7 @@ Fronts fronts_of(const Matrix& matrix, const SeparatorTree& tree) {
     fronts.tallest = std::max(fronts.tallest, front.rows());
     fronts.all.push_back(std::move(front));
   }
+  fronts.parts = parts_of(fronts);
   return fronts;
 }
 
@@ -93,6 +133,11 @@ bool keeps_apart(const SeparatorTree& tree, const Matrix& matrix) {
     }
   }
   return true;
+}
+
+int Fronts::part_below(const TreePart& part, int front) const {
+  return *std::find_if(part.below.begin(), part.below.end(),
+                       [&](int below) { return parts[at(below)].end == front + 1; });
 }
 
 int Fronts::front_at(int position) const {
@@ -127,11 +172,24 @@ StackPlan Fronts::stack(std::vector<Index> sizes) const {
   return {below, std::move(sizes)};
 }
 
-StackPlan Fronts::update_stack() const {
+StackPlan Fronts::stack(const TreePart& part, const std::vector<Index>& sizes) const {
+  std::vector<std::array<int, 2>> below;
+  for (int number = part.first; number + 1 < part.end; ++number) {
+    below.push_back(front(number).separator.below);
+    for (int& one : below.back())
+      if (one >= 0) one -= part.first;
+  }
+  const auto begin = sizes.begin() + part.first;
+  return {below, std::vector<Index>(begin, begin + static_cast<std::ptrdiff_t>(below.size()))};
+}
+
+std::vector<Index> Fronts::update_sizes() const {
   std::vector<Index> sizes;
   for (const Front& front : all) sizes.push_back(front.rim() * front.rim());
-  return stack(std::move(sizes));
+  return sizes;
 }
+
+StackPlan Fronts::update_stack() const { return stack(update_sizes()); }
 
 RowPaths row_paths(const Fronts& fronts, const Matrix& A) {
   require_argument(A.cols() == fronts.size(), "row_paths: A must have ", fronts.size(),

@@ -26,12 +26,21 @@ struct Front {
   }
 };
 
+/// A run of fronts that one thread works through: a subtree, or one front above subtrees.
+struct TreePart {
+  int first = 0;   ///< number of its first front
+  int end = 0;     ///< and of the one behind its last, which is above all others of the part
+  int above = -1;  ///< the part of the front above it, -1 for none
+  std::vector<int> below;  ///< the parts of the fronts directly below it; of a subtree none
+};
+
 /// All that the pattern of K and a tree say of the factor of K. The factor works by it, and it can be asked
 /// what the factor will cost before there is a number.
 struct Fronts {
-  std::vector<int> order;    ///< `n` unknown at each place
-  std::vector<int> place;    ///< `n` place of each unknown
-  std::vector<Front> all;    ///< what is below comes before
+  std::vector<int> order;       ///< `n` unknown at each place
+  std::vector<int> place;       ///< `n` place of each unknown
+  std::vector<Front> all;       ///< what is below comes before
+  std::vector<TreePart> parts;  ///< of them, each front once; what is below comes before
   Eigen::Index entries = 0;  ///< numbers that L takes, those above its diagonal blocks among them
   Eigen::Index tallest = 0;  ///< the most rows that a front has
 
@@ -41,6 +50,10 @@ struct Fronts {
   [[nodiscard]] const Front& front(int number) const {
     return all[static_cast<std::size_t>(number)];
   }
+  /// \param part   of the tree
+  /// \param front  the last one of a part directly below it
+  /// \return number of that part
+  [[nodiscard]] int part_below(const TreePart& part, int front) const;
   /// \param position  in the order \return number of the front that eliminates the unknown there
   [[nodiscard]] int front_at(int position) const;
   /// \return entries of L with the diagonal, also those that are zero in a front
@@ -53,7 +66,14 @@ struct Fronts {
   /// \param sizes  how many numbers each of them hands on
   /// \return where they go
   [[nodiscard]] StackPlan stack(std::vector<Eigen::Index> sizes) const;
-  /// \return the stack of a factorisation: of every front the square of its boundary
+  /// A stack for the fronts of a part but its last, which is above them.
+  /// \param part   of the tree
+  /// \param sizes  how many numbers each front of the whole tree hands on
+  /// \return where they go, the first front of the part counted as 0
+  [[nodiscard]] StackPlan stack(const TreePart& part, const std::vector<Eigen::Index>& sizes) const;
+  /// \return how many numbers a front hands on in a factorisation: the square of its boundary
+  [[nodiscard]] std::vector<Eigen::Index> update_sizes() const;
+  /// \return the stack of a factorisation on one thread
   [[nodiscard]] StackPlan update_stack() const;
 };
 

@@ -1,12 +1,13 @@
 #include "addons/frontal/separator_tree.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 #include <utility>
 
+#include "addons/frontal/cuts.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/index.hpp"
+#include "signorini/core/parts.hpp"
 
 namespace signorini {
 namespace {
@@ -17,219 +18,113 @@ using Matrix = Eigen::SparseMatrix<double>;
 /// So many groups are eliminated together rather than cut again: below that, fronts are so small that to walk
 /// through them costs more than the zeros that they would save (between 4 and 16 it hardly matters).
 constexpr std::size_t leaf = 8;
+/// A range with at most so many groups, or a 64th of all, is dissected by one thread: less takes no longer than a thread takes
+/// to begin.
+constexpr std::size_t smallest_range = 512;
 
-/// Neighbouring unknowns with equal columns, taken as one: a graph of half the size.
-struct Groups {
-  std::vector<int> first;      // first unknown of every group, and one entry more at the end
-  std::vector<int> start;      // neighbours of group g: from start[g] to start[g + 1]
-  std::vector<int> neighbour;  // groups, rising
-};
-
-Groups grouped(const Matrix& K) {
-  const int* start = K.outerIndexPtr();
-  const int* rows = K.innerIndexPtr();
-  const auto same = [&](Index a, Index b) {
-    return start[a + 1] - start[a] == start[b + 1] - start[b] &&
-           std::equal(rows + start[a], rows + start[a + 1], rows + start[b]);
-  };
-  Groups groups;
-  std::vector<int> group_of(static_cast<std::size_t>(K.cols()));
-  for (Index k = 0; k < K.cols(); ++k) {
-    if (k == 0 || !same(k - 1, k)) groups.first.push_back(static_cast<int>(k));
-    group_of[static_cast<std::size_t>(k)] = static_cast<int>(groups.first.size()) - 1;
+/// Appends a tree of other unknowns behind the last place of one.
+/// \return the number of its last separator
+int append(SeparatorTree& tree, const SeparatorTree& other) {
+  const int first = static_cast<int>(tree.order.size());
+  const int number = static_cast<int>(tree.separators.size());
+  tree.order.insert(tree.order.end(), other.order.begin(), other.order.end());
+  for (Separator separator : other.separators) {
+    separator.first += first;
+    for (int& below : separator.below)
+      if (below >= 0) below += number;
+    tree.separators.push_back(separator);
   }
-  for (const int k : groups.first) {
-    groups.start.push_back(static_cast<int>(groups.neighbour.size()));
-    int previous = -1;  // rows of a column increase, so their groups do too
-    for (Matrix::InnerIterator entry(K, k); entry; ++entry) {
-      const int group = group_of[static_cast<std::size_t>(entry.row())];
-      if (group != previous) groups.neighbour.push_back(group);
-      previous = group;
-    }
-  }
-  groups.start.push_back(static_cast<int>(groups.neighbour.size()));
-  groups.first.push_back(static_cast<int>(K.cols()));
-  return groups;
+  return static_cast<int>(tree.separators.size()) - 1;
 }
 
-enum Side : char { Nowhere, Left, Right, Between };  // Nowhere: not in the range that is cut
-
-/// A way to part a range.
-struct Cut {
-  std::vector<char> side;  // of every group of the range
-  double left = 0;         // how many groups are on it
-  double right = 0;
-  double between = 0;
-
-  [[nodiscard]] double price() const {
-    return left * right > 0 ? between / (left * right) : std::numeric_limits<double>::infinity();
-  }
-  [[nodiscard]] bool better_than(const Cut& other) const {
-    return price() < other.price() ||
-           (price() == other.price() && left * right > other.left * other.right);
-  }
-};
-
-/// The value below which there is as near to half of the keys as can be. Sorts them in part.
-double halving(std::vector<double>& keys) {
-  const auto middle = keys.begin() + static_cast<std::ptrdiff_t>(keys.size() / 2);
-  std::nth_element(keys.begin(), middle, keys.end());
-  const double median = *middle;
-  double below = 0;
-  double beyond = 0;
-  double next = median;
-  for (const double key : keys) {
-    below += key < median ? 1 : 0;
-    beyond += key > median ? 1 : 0;
-    if (key > median && (next == median || key < next)) next = key;
-  }
-  return below >= beyond ? median : next;
-}
-
-/// Dissects the groups, range by range.
+/// Dissects the groups: large ranges level by level, those of a level at the same time, and then each small one by itself.
 class Dissection {
  public:
   Dissection(const Groups& groups, const Positions& positions)
-      : groups_(groups), side_(groups.first.size() - 1, Nowhere), level_(side_.size()) {
-    for (Index axis = 0; positions.rows() > 0 && axis < 2; ++axis) {
-      std::vector<double>& coordinate = coordinates_.emplace_back(side_.size());
-      for (std::size_t g = 0; g < coordinate.size(); ++g)
-        coordinate[g] = positions(groups.first[g], axis);
-    }
-    Range all(side_.size());
-    std::iota(all.begin(), all.end(), 0);
-    if (!all.empty()) dissect(std::move(all));
+      : groups_(groups), cuts_(groups, positions), count_(groups.first.size() - 1) {
+    if (count_ == 0) return;
+    parts_.emplace_back();
+    parts_.front().range.resize(count_);
+    std::iota(parts_.front().range.begin(), parts_.front().range.end(), 0);
+    cut_large_parts();
+    std::vector<std::size_t> small;
+    for (std::size_t k = 0; k < parts_.size(); ++k)
+      if (parts_[k].below.empty()) small.push_back(k);
+    for_parts(static_cast<Index>(small.size()), [&](Index k) {
+      Part& part = parts_[small[at(k)]];
+      Cuts::Room room;
+      dissect(std::move(part.range), room, part.tree);
+    });
+    join(0);
   }
   SeparatorTree tree;
 
  private:
-  using Range = std::vector<int>;  // groups, rising
+  using Range = Cuts::Range;
 
-  struct Neighbours {
-    const int* from;
-    const int* to;
-    [[nodiscard]] const int* begin() const { return from; }
-    [[nodiscard]] const int* end() const { return to; }
+  /// A range, or what stands between the parts that it was cut into.
+  struct Part {
+    Range range;
+    std::vector<std::size_t> below;  // parts that it was cut into
+    SeparatorTree tree;              // of a range that was not cut before
   };
-  [[nodiscard]] Neighbours neighbours(int group) const {
-    const int* all = groups_.neighbour.data();
-    return {all + groups_.start[at(group)], all + groups_.start[at(group) + 1]};
-  }
-  [[nodiscard]] bool touches(int group, Side side) const {
-    const Neighbours around = neighbours(group);
-    return std::any_of(around.begin(), around.end(), [&](int h) { return side_[at(h)] == side; });
+
+  /// Cuts all parts that are large, level by level.
+  void cut_large_parts() {
+    const std::size_t small = std::max(smallest_range, count_ / 64);
+    for (std::size_t begin = 0, end = parts_.size(); begin < end;
+         begin = end, end = parts_.size()) {
+      std::vector<std::array<Range, 4>> cuts(end - begin);
+      for_parts(static_cast<Index>(cuts.size()), [&](Index k) {
+        Part& part = parts_[begin + at(k)];
+        Cuts::Room room;
+        if (part.range.size() > small) cuts[at(k)] = cuts_.parted(part.range, room);
+      });
+      for (std::size_t k = begin; k < end; ++k) {
+        std::array<Range, 4>& cut = cuts[k - begin];
+        if (cut[Cuts::Left].empty()) continue;
+        parts_[k].range = std::move(cut[Cuts::Between]);
+        parts_[k].below = {parts_.size(), parts_.size() + 1};
+        for (const Cuts::Side side : {Cuts::Left, Cuts::Right}) {
+          parts_.emplace_back();
+          parts_.back().range = std::move(cut[at(side)]);
+        }
+      }
+    }
   }
 
-  int emit(const Range& groups, std::array<int, 2> below) {
-    Separator separator{static_cast<int>(tree.order.size()), 0, below};
+  /// Puts the trees of parts together, those below a part before its own groups. \return the number of the last separator
+  int join(std::size_t number) {
+    const Part& part = parts_[number];
+    if (part.below.empty()) return append(tree, part.tree);
+    const int left = join(part.below[0]);
+    const int right = join(part.below[1]);
+    return emit(part.range, {left, right}, tree);
+  }
+
+  int emit(const Range& groups, std::array<int, 2> below, SeparatorTree& into) const {
+    Separator separator{static_cast<int>(into.order.size()), 0, below};
     for (const int g : groups)
-      for (int k = groups_.first[at(g)]; k < groups_.first[at(g) + 1]; ++k) tree.order.push_back(k);
-    separator.own = static_cast<int>(tree.order.size()) - separator.first;
-    tree.separators.push_back(separator);
-    return static_cast<int>(tree.separators.size()) - 1;
+      for (int k = groups_.first[at(g)]; k < groups_.first[at(g) + 1]; ++k) into.order.push_back(k);
+    separator.own = static_cast<int>(into.order.size()) - separator.first;
+    into.separators.push_back(separator);
+    return static_cast<int>(into.separators.size()) - 1;
   }
 
-  /// Levels of a search in breadth; a piece that it does not reach follows as if it touched.
-  /// \return the group that was reached last
-  int search(const Range& range, int begin) {
-    for (const int g : range) side_[at(g)] = Right;
-    queue_.clear();
-    const auto reach = [&](int g, double level) {
-      side_[at(g)] = Left;
-      level_[at(g)] = level;
-      queue_.push_back(g);
-    };
-    reach(begin, 0);
-    auto next = range.begin();
-    for (std::size_t k = 0; k < range.size(); ++k) {
-      if (k == queue_.size()) {
-        while (side_[at(*next)] == Left) ++next;
-        reach(*next, level_[at(queue_.back())] + 1);
-      }
-      const int g = queue_[k];
-      for (const int h : neighbours(g))
-        if (side_[at(h)] == Right) reach(h, level_[at(g)] + 1);
-    }
-    return queue_.back();
-  }
-
-  /// Gives the groups on one side of the border back to it unless they touch what lies beyond them.
-  void trim(const Range& border, Side own, Side other) {
-    for (const int g : border) side_[at(g)] = Between;
-    for (const int g : border)
-      if (!touches(g, own)) side_[at(g)] = other;
-  }
-
-  /// Parts a range where a key is halved. The separator is taken from the side where it is smaller.
-  Cut cut(const Range& range, const std::vector<double>& key) {
-    keys_.resize(range.size());
-    std::transform(range.begin(), range.end(), keys_.begin(), [&](int g) { return key[at(g)]; });
-    const double value = halving(keys_);
-    for (const int g : range) side_[at(g)] = key[at(g)] < value ? Left : Right;
-    border_[0].clear();
-    border_[1].clear();
-    for (const int g : range) {
-      if (key[at(g)] >= value) continue;
-      bool joined = false;
-      for (const int h : neighbours(g)) {
-        if (side_[at(h)] == Right) border_[1].push_back(h);
-        if (side_[at(h)] == Right) side_[at(h)] = Between;
-        joined = joined || side_[at(h)] == Between;
-      }
-      if (joined) border_[0].push_back(g);
-    }
-    for (const int h : border_[1]) side_[at(h)] = Right;
-    if (border_[1].size() <= border_[0].size())
-      trim(border_[1], Right, Left);
-    else
-      trim(border_[0], Left, Right);
-    return read_cut(range);
-  }
-
-  [[nodiscard]] Cut read_cut(const Range& range) const {
-    Cut cut;
-    cut.side.reserve(range.size());
-    for (const int g : range) {
-      const char side = side_[at(g)];
-      cut.side.push_back(side);
-      cut.left += side == Left ? 1 : 0;
-      cut.right += side == Right ? 1 : 0;
-      cut.between += side == Between ? 1 : 0;
-    }
-    return cut;
-  }
-
-  [[nodiscard]] Cut best_cut(const Range& range) {
-    Cut best;
-    const auto consider = [&](Cut other) {
-      if (other.better_than(best)) best = std::move(other);
-    };
-    for (const std::vector<double>& coordinate : coordinates_) consider(cut(range, coordinate));
-    search(range, search(range, range.front()));
-    consider(cut(range, level_));
-    return best;
-  }
-
-  int dissect(Range range) {
-    if (range.size() <= leaf) return emit(range, {-1, -1});
-    const Cut cut = best_cut(range);
-    for (const int g : range) side_[at(g)] = Nowhere;
-    if (!(cut.left * cut.right > 0)) return emit(range, {-1, -1});
-    std::array<Range, 4> part;
-    for (std::size_t k = 0; k < range.size(); ++k) part[at(cut.side[k])].push_back(range[k]);
+  int dissect(Range range, Cuts::Room& room, SeparatorTree& into) {
+    if (range.size() <= leaf) return emit(range, {-1, -1}, into);
+    std::array<Range, 4> part = cuts_.parted(range, room);
+    if (part[Cuts::Left].empty()) return emit(range, {-1, -1}, into);
     range = {};
-    const int left = dissect(std::move(part[Left]));
-    const int right = dissect(std::move(part[Right]));
-    return emit(part[Between], {left, right});
+    const int left = dissect(std::move(part[Cuts::Left]), room, into);
+    const int right = dissect(std::move(part[Cuts::Right]), room, into);
+    return emit(part[Cuts::Between], {left, right}, into);
   }
 
   const Groups& groups_;
-  std::vector<char> side_;
-  std::vector<double> level_;
-  std::vector<std::vector<double>> coordinates_;
-  std::vector<double> keys_;
-  std::vector<int> queue_;
-  std::array<Range, 2> border_;
+  Cuts cuts_;
+  std::size_t count_;        // of groups
+  std::vector<Part> parts_;  // what is above comes before
 };
 
 }  // namespace

@@ -14,7 +14,8 @@
 // them has gets 12/24 on the diagonal, the two in the middle get 12/24 from each square, which
 // adds up to 1.
 //
-// Loads have a page of their own, loads.cpp.
+// Loads have a page of their own, loads.cpp, and so have the forces of given displacements,
+// internal_forces.cpp.
 
 #include "signorini/fem/assembly.hpp"
 
@@ -23,8 +24,10 @@
 #include <vector>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/index.hpp"
+#include "signorini/core/parts.hpp"
+#include "signorini/fem/cell_results.hpp"
 #include "signorini/fem/eigenstrain.hpp"
-#include "signorini/fem/strain_law.hpp"
 
 namespace signorini {
 namespace {
@@ -39,29 +42,6 @@ void check_unfolded(const Cell& cell) {
         jacobian(cell.element.shape(at.xi, at.eta), cell.body.arms).determinant > 0, "mesh '",
         cell.mesh.name, "': cell ", cell.number,
         " folds over itself: move the middle nodes of its sides closer to the straight lines");
-}
-
-/// The cells around every node: those of node i are cell(first(i)) to cell(first(i + 1) - 1).
-///
-/// The sparse matrix needs to know first which unknowns meet. They meet where their nodes share a
-/// cell.
-struct CellsAround {
-  Eigen::ArrayX<Index> first;
-  Eigen::ArrayX<Index> cell;
-};
-
-/// Two passes over the cells: one counts, one files. The second goes backwards, and so does the
-/// counter of each node, which ends at the first of its places.
-CellsAround cells_around(const Mesh& mesh) {
-  CellsAround around{Eigen::ArrayX<Index>::Zero(mesh.n_nodes() + 1),
-                     Eigen::ArrayX<Index>(mesh.cells.size())};
-  for (Index cell = 0; cell < mesh.n_cells(); ++cell)
-    for (Index k = 0, n = mesh.cell_size(cell); k < n; ++k) ++around.first(mesh.cells(cell, k));
-  for (Index node = 0; node < mesh.n_nodes(); ++node) around.first(node + 1) += around.first(node);
-  for (Index cell = mesh.n_cells() - 1; cell >= 0; --cell)
-    for (Index k = 0, n = mesh.cell_size(cell); k < n; ++k)
-      around.cell(--around.first(mesh.cells(cell, k))) = cell;
-  return around;
 }
 
 /// Nodes of its largest cell; in a mixed mesh that is a quadrilateral.
@@ -79,6 +59,33 @@ const char* usual_element(Index size) {
   static const std::map<Index, const char*> usual = {
       {3, "t3"}, {4, "q4_incompatible"}, {6, "t6"}, {8, "q8"}};
   return usual.at(size);
+}
+
+/// Which columns of K one of several threads adds to: runs of 64, taken in turn.
+///
+/// Two threads must not add to the same number. And each column gets its cells in their order, however many threads there are.
+struct ColumnsOf {
+  Index owner;
+  Index owners;
+  [[nodiscard]] bool have(Index column) const { return column / 64 % owners == owner; }
+};
+
+/// Adds the matrix of a cell to K, and what given displacements do to the load. An entry of a free row and a held column
+/// belongs to the right-hand side. The load of a row belongs to the thread that has its column.
+void add_cell(const Mesh& mesh, Index cell, const CellMatrix& K, const Unknowns& unknowns,
+              const ColumnsOf& mine, LinearSystem& system) {
+  const auto number = [&](Index i) { return unknowns.number(mesh.cells(cell, i / 2), i % 2); };
+  for (Index j = 0; j < K.cols(); ++j) {
+    const Index column = number(j);
+    if (column < 0 || !mine.have(column)) continue;
+    for (Index i = 0; i < K.rows(); ++i) {
+      const Index row = number(i);
+      if (row >= 0)
+        system.stiffness.coeffRef(row, column) += K(i, j);
+      else
+        system.load(column) -= K(j, i) * unknowns.held(mesh.cells(cell, i / 2), i % 2);
+    }
+  }
 }
 
 }  // namespace
@@ -115,37 +122,6 @@ CellMatrix cell_stiffness(const Element& element, const CellBody& cell) {
   return 0.5 * (K + CellMatrix(K.transpose()));  // exactly symmetric
 }
 
-/// The usual way is to list all entries of all cells as triplets and let the matrix sort them. A
-/// cell of four nodes has 64, and on a large mesh 36 for each node remain. Here each column is
-/// written once, with its rows sorted, and the cells are then added into their places. The unknowns
-/// of one node have the same rows, so that the list is kept for the second one.
-Eigen::SparseMatrix<double> stiffness_pattern(const Mesh& mesh, const Unknowns& unknowns) {
-  const CellsAround around = cells_around(mesh);
-  Eigen::SparseMatrix<double> K(unknowns.count, unknowns.count);
-  K.reserve(4 * mesh.cells.size() * mesh.cells.cols());  // more than enough: cells share entries
-  std::vector<Index> rows;
-  Index last = -1;
-  for (Index column = 0; column < unknowns.count; ++column) {
-    const Index node = unknowns.node_of[static_cast<std::size_t>(column)];
-    if (node != last) {
-      rows.clear();
-      for (Index k = around.first(node); k < around.first(node + 1); ++k) {
-        const Index cell = around.cell(k);
-        for (Index j = 0, n = mesh.cell_size(cell); j < n; ++j)
-          for (const Index number : unknowns.number.row(mesh.cells(cell, j)))
-            if (number >= 0) rows.push_back(number);
-      }
-      std::sort(rows.begin(), rows.end());
-      rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-      last = node;
-    }
-    K.startVec(column);
-    for (const Index row : rows) K.insertBack(row, column) = 0;
-  }
-  K.finalize();
-  return K;
-}
-
 /// Everything comes together: pattern, loads, and a loop over the cells. Eigenstrains enter as
 /// nodal forces. They are summed on all nodes before the held components are dropped, as all loads
 /// are. An entry of a free row and a held column belongs to the right-hand side, with the
@@ -158,42 +134,21 @@ LinearSystem assemble(const Mesh& mesh, const Element& element, const MaterialFi
   if (material.eigenstrain) nodal += eigenstrain_forces(mesh, element, material);
   system.load = restricted(unknowns, nodal);
 
-  visit_cells(mesh, element, material, [&](const Cell& cell) {
-    check_unfolded(cell);
-    const CellMatrix K = cell_stiffness(cell.element, cell.body);
-    for (Index i = 0; i < K.rows(); ++i) {
-      const Index row = unknowns.number(cell.node(i / 2), i % 2);
-      if (row < 0) continue;
-      for (Index j = 0; j < K.cols(); ++j) {
-        const Index column = unknowns.number(cell.node(j / 2), j % 2);
-        if (column >= 0)
-          system.stiffness.coeffRef(row, column) += K(i, j);
-        else
-          system.load(row) -= K(i, j) * unknowns.held(cell.node(j / 2), j % 2);
-      }
-    }
-  });
+  const Cells cells(mesh, element, material);
+  visit_results<CellMatrix>(
+      cells,
+      [](const Cell& cell, CellMatrix& K) {
+        check_unfolded(cell);
+        K = cell_stiffness(cell.element, cell.body);
+      },
+      [&](Index first, Index end, const std::vector<CellMatrix>& K) {
+        const int owners = free_threads();
+        for_parts(owners, [&](Index owner) {
+          for (Index cell = first; cell < end; ++cell)
+            add_cell(mesh, cell, K[at(cell - first)], unknowns, {owner, owners}, system);
+        });
+      });
   return system;
-}
-
-/// The same sum with all rows, held ones too, and without storing \f$K\f$. In a row that is held,
-/// these forces less the loads are the force of the support. Such a row was not solved, so that it
-/// need not add up to 0.
-NodeArray internal_forces(const Mesh& mesh, const Element& element, const MaterialField& material,
-                          const NodeArray& displacements) {
-  require_argument(displacements.rows() == mesh.n_nodes(), "internal_forces: need ", mesh.n_nodes(),
-                   " displacements (one per node), got ", displacements.rows());
-  NodeArray forces = NodeArray::Zero(mesh.n_nodes(), 2);
-  if (material.eigenstrain) forces -= eigenstrain_forces(mesh, element, material);
-  visit_cells(mesh, element, material, [&](const Cell& cell) {
-    const CellVector f =
-        cell.material.law != nullptr
-            ? answer_of(cell, displacements).force
-            : CellVector(cell_stiffness(cell.element, cell.body) * gathered(cell, displacements));
-    for (Index k = 0; k < cell.element.n_nodes; ++k)
-      forces.row(cell.node(k)) += f.segment<2>(2 * k).transpose();
-  });
-  return forces;
 }
 
 /// Solvers know \f$n\f$ numbers, users know nodes. These two functions are the way from the one to

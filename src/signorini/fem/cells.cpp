@@ -48,6 +48,23 @@ std::vector<Elasticity> elasticity_matrices(const MaterialField& material) {
   return D;
 }
 
+/// What all cells share is computed once: their matrices \f$D\f$, one per material. Of each cell
+/// nothing is kept. It is made when it is asked for, from its nodes and the number of its material,
+/// so that several threads may ask at the same time. A list of numbers that belongs to another mesh
+/// would be read beyond its end.
+Cells::Cells(const Mesh& mesh, const Element& element, const MaterialField& material)
+    : mesh_(mesh),
+      element_(element),
+      triangle_(element.corners() == 3 ? element : triangle_beside(mesh)),
+      material_(material),
+      D_(elasticity_matrices(material)),
+      depth_(depth_of(material)) {
+  const std::size_t known = material.number_of.size();
+  require_argument(known == 0 || known == static_cast<std::size_t>(mesh.n_cells()), "cells of '",
+                   mesh.name, "': there are ", mesh.n_cells(), ", but the materials are those of ",
+                   known);
+}
+
 CellVector gathered(const Cell& cell, const NodeArray& displacements) {
   CellVector u(2 * cell.element.n_nodes);
   for (Index k = 0; k < cell.element.n_nodes; ++k)

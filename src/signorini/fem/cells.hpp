@@ -60,26 +60,47 @@ struct Cell {
 /// \throws ProblemError as check_material()
 [[nodiscard]] std::vector<Elasticity> elasticity_matrices(const MaterialField& material);
 
+/// The cells of a body, each of which can be asked for by itself.
+class Cells {
+ public:
+  /// \param mesh      the body
+  /// \param element   of its cells, of as many corners; triangles beside quadrilaterals are triangle_beside()
+  /// \param material  of its cells
+  /// \throws ProblemError as check_material(); std::invalid_argument if the numbers of materials are those of another mesh
+  Cells(const Mesh& mesh, const Element& element, const MaterialField& material);
+
+  /// \return how many there are
+  [[nodiscard]] Eigen::Index count() const { return mesh_.n_cells(); }
+  /// \param number  of a cell \return the element that stands in it
+  [[nodiscard]] const Element& element(Eigen::Index number) const {
+    return mesh_.corners(number) == 3 ? triangle_ : element_;
+  }
+  /// \param number  of a cell \return it
+  [[nodiscard]] Cell operator[](Eigen::Index number) const {
+    return {number, element(number), material_.of(number),
+            cell_body(cell_nodes(mesh_, number), D_[material_.number(number)], depth_), mesh_};
+  }
+
+ private:
+  const Mesh& mesh_;
+  const Element& element_;
+  const Element& triangle_;
+  const MaterialField& material_;
+  std::vector<Elasticity> D_;
+  Depth depth_;
+};
+
 /// Calls visit(cell) for every cell of a body, in their order.
 /// \param mesh      the body
-/// \param element   of its cells, of as many corners; triangles beside quadrilaterals are triangle_beside()
+/// \param element   of its cells, as of Cells
 /// \param material  of its cells
 /// \param visit     gets a Cell
-/// \throws ProblemError as check_material(); std::invalid_argument if the numbers of materials are those of another mesh
+/// \throws ProblemError, std::invalid_argument as Cells
 template <typename Visit>
 void visit_cells(const Mesh& mesh, const Element& element, const MaterialField& material,
                  Visit&& visit) {
-  const std::size_t known = material.number_of.size();
-  require_argument(known == 0 || known == static_cast<std::size_t>(mesh.n_cells()), "cells of '",
-                   mesh.name, "': there are ", mesh.n_cells(), ", but the materials are those of ",
-                   known);
-  const std::vector<Elasticity> D = elasticity_matrices(material);
-  const Depth depth = depth_of(material);
-  const Element& triangle = element.corners() == 3 ? element : triangle_beside(mesh);
-  for (Eigen::Index number = 0; number < mesh.n_cells(); ++number) {
-    visit(Cell{number, mesh.corners(number) == 3 ? triangle : element, material.of(number),
-               cell_body(cell_nodes(mesh, number), D[material.number(number)], depth), mesh});
-  }
+  const Cells cells(mesh, element, material);
+  for (Eigen::Index number = 0; number < cells.count(); ++number) visit(cells[number]);
 }
 
 /// Calls visit(cell, points) for every cell of a body with its strain points.

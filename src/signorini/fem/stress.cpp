@@ -20,9 +20,12 @@
 
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/core/index.hpp"
+#include "signorini/fem/cell_results.hpp"
 #include "signorini/fem/eigenstrain.hpp"
 #include "signorini/fem/strain_law.hpp"
 
@@ -36,7 +39,8 @@ using PointStress = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::ColMajor, ma
 /// the plane.
 ///
 /// The fourth number, across the plane, costs little here and could not be reconstructed later
-/// without the material of the cell.
+/// without the material of the cell. In plane stress it is 0, in plane strain \f$\nu\f$ times the sum
+/// of the other two, less what a free strain across would take.
 /// \param free         strain that needs no stress, null if there is none
 /// \param free_across  the same across the plane
 Eigen::Vector4d stress_at(const StrainPoint& point, const Cell& cell, const CellVector& u,
@@ -55,35 +59,57 @@ Eigen::Vector4d stress_at(const StrainPoint& point, const Cell& cell, const Cell
   });
 }
 
-/// Calls visit(cell, points, stress) with the strain points of every cell and the stress at them,
-/// row by row.
+/// The strain points of a cell and the stress at them, row by row.
 ///
-/// Nodal values and means of cells both begin with this loop. A cell of a material with a law
-/// says itself what its true stress is, per area where it stands.
-template <typename Visit>
+/// It has room for nine points of eight nodes, 5 kB. Only what is made of it, a few numbers per node,
+/// is kept until the neighbours are ready, too.
+struct CellStress {
+  StrainPoints points;
+  PointStress stress;
+};
+
+/// A cell of a material with a law says itself what its true stress is, per area where it stands. In
+/// all others \f$\sigma = D\,(Bu - \varepsilon_0)\f$, with what needs no stress, as a warm cell that may
+/// grow, taken off the strain.
+void find_stress(const Cell& cell, const NodeArray& displacements, const Eigenstrain& eigenstrain,
+                 CellStress& found) {
+  cell.element.strain(cell.body, found.points);
+  if (cell.material.law != nullptr) {
+    found.stress = answer_of(cell, displacements).stress;
+    return;
+  }
+  const CellVector u = gathered(cell, displacements);
+  found.stress.resize(found.points.size, 4);
+  PointStrains free;
+  if (eigenstrain) free = eigenstrains(cell, found.points, eigenstrain);
+  for (int i = 0; i < found.points.size; ++i) {
+    const StrainPoint& point = found.points.point[static_cast<std::size_t>(i)];
+    const double across = eigenstrain ? eigenstrain(cell.material, position(cell, point))(3) : 0;
+    found.stress.row(i) =
+        stress_at(point, cell, u, eigenstrain ? free.col(i).data() : nullptr, across).transpose();
+  }
+}
+
+/// Calls compute(cell, found, result) with the stress in every cell, on threads(), and
+/// take(number, result) in the order of the cells.
+///
+/// Nodal values and means of cells both begin with this loop. Neighbours add to the same node, and
+/// they do so in the order of their numbers, whoever computed their stresses first.
+template <typename Result, typename Compute, typename Take>
 void visit_stresses(const Mesh& mesh, const Element& element, const MaterialField& material,
-                    const NodeArray& displacements, Visit&& visit) {
+                    const NodeArray& displacements, Compute&& compute, Take&& take) {
   require_argument(displacements.rows() == mesh.n_nodes(), "stress: need the displacements of ",
                    mesh.n_nodes(), " nodes, got ", displacements.rows());
-  const Eigenstrain& eigenstrain = material.eigenstrain;
-  PointStrains free;
-  PointStress stress;
-  visit_strains(mesh, element, material, [&](const Cell& cell, const StrainPoints& points) {
-    if (cell.material.law != nullptr) {
-      visit(cell, points, answer_of(cell, displacements).stress);
-      return;
-    }
-    const CellVector u = gathered(cell, displacements);
-    stress.resize(points.size, 4);
-    if (eigenstrain) free = eigenstrains(cell, points, eigenstrain);
-    for (int i = 0; i < points.size; ++i) {
-      const StrainPoint& point = points.point[static_cast<std::size_t>(i)];
-      const double across = eigenstrain ? eigenstrain(cell.material, position(cell, point))(3) : 0;
-      stress.row(i) =
-          stress_at(point, cell, u, eigenstrain ? free.col(i).data() : nullptr, across).transpose();
-    }
-    visit(cell, points, stress);
-  });
+  visit_results<Result>(
+      Cells(mesh, element, material),
+      [&](const Cell& cell, Result& result) {
+        CellStress found;
+        find_stress(cell, displacements, material.eigenstrain, found);
+        compute(cell, found, result);
+      },
+      [&](Index first, Index end, const std::vector<Result>& results) {
+        for (Index cell = first; cell < end; ++cell) take(cell, results[at(cell - first)]);
+      });
 }
 
 /// Takes values at the strain points to the nodes through the function that fits them best:
@@ -108,22 +134,45 @@ Eigen::MatrixXd extrapolation(const Element& element, const StrainPoints& points
   return at_nodes * pseudo_inverse(at_points);
 }
 
+/// extrapolation() of triangles and of quadrilaterals, as far as there are some. They are made before
+/// threads begin, which then only read them.
+std::array<Eigen::MatrixXd, 2> extrapolations(const Cells& cells) {
+  std::array<Eigen::MatrixXd, 2> of_kind;
+  StrainPoints points;
+  for (Index number = 0; number < cells.count(); ++number) {
+    Eigen::MatrixXd& to_nodes = of_kind[cells.element(number).corners() == 3 ? 0 : 1];
+    if (to_nodes.size() > 0) continue;
+    const Cell cell = cells[number];
+    cell.element.strain(cell.body, points);
+    to_nodes = extrapolation(cell.element, points);
+  }
+  return of_kind;
+}
+
 }  // namespace
 
+/// The mean of what its cells say of a node, each cell as much as another. How many they are is counted
+/// on the way. A node that no cell has keeps its zeros.
 StressArray nodal_stress(const Mesh& mesh, const Element& element, const MaterialField& material,
                          const NodeArray& displacements) {
+  using AtNodes = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::ColMajor, max_cell_nodes, 4>;
   StressArray stress = StressArray::Zero(mesh.n_nodes(), 4);
   Eigen::VectorXd cells_at = Eigen::VectorXd::Zero(mesh.n_nodes());
-  std::array<Eigen::MatrixXd, 2> of_kind;  // triangles, quadrilaterals
-  visit_stresses(mesh, element, material, displacements,
-                 [&](const Cell& cell, const StrainPoints& points, const PointStress& at_points) {
-                   Eigen::MatrixXd& to_nodes = of_kind[cell.element.corners() == 3 ? 0 : 1];
-                   if (to_nodes.size() == 0) to_nodes = extrapolation(cell.element, points);
-                   for (Index k = 0; k < cell.element.n_nodes; ++k) {
-                     stress.row(cell.node(k)) += to_nodes.row(k) * at_points;
-                     cells_at(cell.node(k)) += 1;
-                   }
-                 });
+  const std::array<Eigen::MatrixXd, 2> of_kind = extrapolations(Cells(mesh, element, material));
+  visit_stresses<AtNodes>(
+      mesh, element, material, displacements,
+      [&](const Cell& cell, const CellStress& found, AtNodes& at_nodes) {
+        const Eigen::MatrixXd& to_nodes = of_kind[cell.element.corners() == 3 ? 0 : 1];
+        at_nodes.resize(to_nodes.rows(), 4);
+        for (Index k = 0; k < at_nodes.rows(); ++k)
+          at_nodes.row(k) = to_nodes.row(k) * found.stress;
+      },
+      [&](Index cell, const AtNodes& at_nodes) {
+        for (Index k = 0; k < at_nodes.rows(); ++k) {
+          stress.row(mesh.cells(cell, k)) += at_nodes.row(k);
+          cells_at(mesh.cells(cell, k)) += 1;
+        }
+      });
   for (Index node = 0; node < mesh.n_nodes(); ++node)
     if (cells_at(node) > 0) stress.row(node) /= cells_at(node);
   return stress;
@@ -135,16 +184,19 @@ StressArray nodal_stress(const Mesh& mesh, const Element& element, const Materia
 StressArray cell_stress(const Mesh& mesh, const Element& element, const MaterialField& material,
                         const NodeArray& displacements) {
   StressArray stress = StressArray::Zero(mesh.n_cells(), 4);
-  visit_stresses(mesh, element, material, displacements,
-                 [&](const Cell& cell, const StrainPoints& points, const PointStress& at_points) {
-                   double volume = 0;
-                   for (int i = 0; i < points.size; ++i) {
-                     const double share = points.point[static_cast<std::size_t>(i)].volume;
-                     stress.row(cell.number) += share * at_points.row(i);
-                     volume += share;
-                   }
-                   stress.row(cell.number) /= volume;
-                 });
+  visit_stresses<Eigen::RowVector4d>(
+      mesh, element, material, displacements,
+      [](const Cell&, const CellStress& found, Eigen::RowVector4d& mean) {
+        double volume = 0;
+        mean.setZero();
+        for (int i = 0; i < found.points.size; ++i) {
+          const double share = found.points.point[static_cast<std::size_t>(i)].volume;
+          mean += share * found.stress.row(i);
+          volume += share;
+        }
+        mean /= volume;
+      },
+      [&](Index cell, const Eigen::RowVector4d& mean) { stress.row(cell) = mean; });
   return stress;
 }
 

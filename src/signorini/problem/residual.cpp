@@ -17,6 +17,8 @@
 #include <vector>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/index.hpp"
+#include "signorini/core/parts.hpp"
 #include "signorini/problem/exact_sum.hpp"
 
 namespace signorini {
@@ -60,6 +62,9 @@ bool twins(const Columns& K, Index column) {
          std::equal(inner + outer[0], inner + outer[1], inner + outer[1]);
 }
 
+// Threads take so many residuals at a time: with fewer, a thread would take longer to begin than to compute them.
+constexpr Index residuals_at_a_time = 4096;
+
 // p - K u of one unknown, or of two twins. K is symmetric and has both triangles, so a column serves
 // as a row. Products with the small part of u are small themselves, and a plain sum is enough for
 // them.
@@ -80,7 +85,7 @@ void subtract_stiffness(const QuadraticProgramme& programme, const Parts& u, Ind
     small += entry * u.low(inner[k]);
   }
   sum.add(-small);
-  for (int r = 0; r < rows; ++r) sums.emplace_back(sum.high()(r), sum.low()(r));
+  for (int r = 0; r < rows; ++r) sums[at(row + r)] = ExactSum(sum.high()(r), sum.low()(r));
 }
 
 }  // namespace
@@ -121,19 +126,20 @@ VectorXd strained(const PrimalDual& solution) {
 }
 
 // One pass over the columns of K. Of twins the second one is done already, so i grows twice. Each
-// unknown has its own sum: it is as exact beside a large residual as alone. The certificate
-// measures these forces by the loads, and the refined solve hands them to the factor of K, which
-// makes the next correction of them.
+// unknown has its own sum: it is as exact beside a large residual as alone, and the same on any
+// number of threads. The certificate measures these forces by the loads, and the refined solve hands
+// them to the factor of K, which makes the next correction of them.
 VectorXd equilibrium_residual(const QuadraticProgramme& programme, const PrimalDual& solution) {
   check_sizes(programme, solution);
   const Parts u = strained_parts(solution);
-  std::vector<ExactSum> sums;
-  sums.reserve(static_cast<std::size_t>(programme.load.size()));
-  for (Index i = 0; i < programme.load.size(); ++i)
-    if (twins(programme.stiffness, i))
-      subtract_stiffness<2>(programme, u, i++, sums);
-    else
-      subtract_stiffness<1>(programme, u, i, sums);
+  std::vector<ExactSum> sums(at(programme.load.size()));
+  for_ranges(programme.load.size(), residuals_at_a_time, [&](Index begin, Index end) {
+    for (Index i = begin; i < end; ++i)
+      if (i + 1 < end && twins(programme.stiffness, i))
+        subtract_stiffness<2>(programme, u, i++, sums);
+      else
+        subtract_stiffness<1>(programme, u, i, sums);
+  });
   for (Index pair = 0; pair < programme.A.rows(); ++pair)
     for (RowMatrix::InnerIterator entry(programme.A, pair); entry; ++entry)
       sums[static_cast<std::size_t>(entry.col())].add_product(-entry.value(), solution.force(pair));

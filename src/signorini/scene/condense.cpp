@@ -108,19 +108,6 @@ Condensed condense_as_needed(const Model& model, Ledger& ledger) {
   return condensed_unless(leaves_compliance, model, ledger);
 }
 
-// An empty G of three pairs was left out. An empty G of no pairs is all of it.
-bool is_complete(const Condensed& condensed) {
-  const ContactProblem& problem = condensed.problem;
-  return problem.compliance.rows() == problem.free_gap.size() + problem.free_slip.size();
-}
-// What was left out is made with the factor that is there, and the phase goes on.
-Condensed completed(const Model& model, Condensed condensed, Ledger& ledger) {
-  if (is_complete(condensed)) return condensed;
-  const Ledger::Phase phase(ledger, "condensation");
-  form_compliance(model, condensed, ledger);
-  return condensed;
-}
-
 // Whoever refines a solution needs a solve with K and must not know the factor. So it gets
 // functions, which count what they do. Of some unknowns that K joins with no others, the
 // factor may solve alone, which is cheaper.
