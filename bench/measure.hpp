@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "signorini/core/table.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "signorini/report/results.hpp"
 #include "signorini/scene/scene.hpp"
 #include "tests/support/hertz.hpp"

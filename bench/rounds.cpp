@@ -13,6 +13,7 @@
 #include "signorini/core/table.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/motions.hpp"
+#include "signorini/scene/ways.hpp"
 
 namespace signorini::bench {
 namespace {
@@ -61,14 +62,20 @@ void split(const Ledger& ledger, double share, Times& times) {
     times[entry.path].push_back(share * entry.seconds);
 }
 
+/// What a round of contact leaves to those that come after it.
+struct Round {
+  Model model;
+  Condensed condensed;
+};
+
 /// Mesh to certified solution; every round must end at the same bits.
-Model contact_round(const Scene& scene, Cost& cost, Eigen::MatrixXd& compliance) {
+Round contact_round(const Scene& scene, Cost& cost) {
   Ledger ledger;
   const auto wall = std::chrono::steady_clock::now();
   const double begin = processor_seconds();
   Model model = build(scene, ledger);
   const double built = processor_seconds();
-  const Condensed condensed = condense(model, ledger);
+  Condensed condensed = condense_as_needed(model, ledger);
   const double small = processor_seconds();
   Solution solution = solve(model, condensed, std::move(ledger));
   const double end = processor_seconds();
@@ -80,7 +87,6 @@ Model contact_round(const Scene& scene, Cost& cost, Eigen::MatrixXd& compliance)
   cost.fill = static_cast<double>(condensed.factor.nonzeros());
   cost.operations = condensed.factor.operations();
   cost.unknowns = model.unknowns.count;
-  compliance = condensed.problem.compliance;
   const ContactState& contact = solution.contact;
   const bool first = cost.times["whole"].size() == 1;
   cost.good = cost.good && is_certified(solution) && contact.report.iterations <= most_steps &&
@@ -88,7 +94,7 @@ Model contact_round(const Scene& scene, Cost& cost, Eigen::MatrixXd& compliance)
               (first || (contact.force == cost.first.contact.force &&
                          contact.report.iterations == cost.first.contact.report.iterations));
   if (first) cost.first = std::move(solution);
-  return model;
+  return {std::move(model), std::move(condensed)};
 }
 
 /// Whether u solves K u = p up to the rounding of a sum.
@@ -110,15 +116,17 @@ void plain_round(const Model& model, const Eigen::SparseMatrix<double>& K, Cost&
   cost.good = cost.good && solves(K, u, model.programme.load);
 }
 
-void yardstick_round(const Yardstick& other, const Model& model,
-                     const Eigen::SparseMatrix<double>& K, const Eigen::MatrixXd& compliance,
-                     Cost& cost) {
+void yardstick_round(const Yardstick& other, const Round& ours,
+                     const Eigen::SparseMatrix<double>& K, Cost& cost) {
+  const Model& model = ours.model;
   VectorXd u;
   note(other.name, cost, [&] { u = other.solve(K, model.programme.load); });
   cost.good = cost.good && solves(K, u, model.programme.load);
   if (!other.compliance) return;
   Eigen::MatrixXd theirs;
   note(other.name + " compliance", cost, [&] { theirs = other.compliance(K, model.programme.A); });
+  Ledger unused;
+  const Eigen::MatrixXd compliance = completed(model, ours.condensed, unused).problem.compliance;
   cost.good = cost.good && (theirs - compliance).cwiseAbs().maxCoeff() <=
                                1e-10 * compliance.cwiseAbs().maxCoeff();
 }
@@ -162,16 +170,15 @@ Cost measure(const Scene& scene, int rounds, const Cost* smaller,
   for (int round = 0; round < rounds; ++round) {
     forget_peak();
     const double before = megabytes("VmRSS:");
-    Eigen::MatrixXd compliance;
-    const Model model = contact_round(scene, cost, compliance);
+    const Round ours = contact_round(scene, cost);
     if (round == 0) cost.megabytes = megabytes("VmHWM:");
     if (round == 0) cost.rise["whole"] = cost.megabytes - before;
-    const Eigen::SparseMatrix<double> K = grounded_stiffness(model);
-    plain_round(model, K, cost);
+    const Eigen::SparseMatrix<double> K = grounded_stiffness(ours.model);
+    plain_round(ours.model, K, cost);
     for (const Yardstick& other : others)
       if (round == 0 ? in_time(other, scene, smaller)
                      : cost.times.count(other.name) > 0 && cost.times[other.name][0] < once)
-        yardstick_round(other, model, K, compliance, cost);
+        yardstick_round(other, ours, K, cost);
   }
   return cost;
 }

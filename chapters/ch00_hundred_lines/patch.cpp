@@ -3,7 +3,7 @@
 #include "outline.hpp"
 #include "patch_test.hpp"
 #include "signorini/fem/assembly.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "signorini/fem/elements.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/report/results.hpp"

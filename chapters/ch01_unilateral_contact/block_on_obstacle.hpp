@@ -1,6 +1,6 @@
 // Chapter 1 - The rubber block, for the programs that solve it.
 #pragma once
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "signorini/scene/scene.hpp"
 
 namespace ch01 {

@@ -5,7 +5,7 @@
 
 #include "signorini/core/rounding.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "signorini/pairing/node_to_segment.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/report/results.hpp"

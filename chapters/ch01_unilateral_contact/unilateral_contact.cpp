@@ -4,6 +4,7 @@
 // --full: the mesh of 640 x 320 cells that the headline is compared with.
 #include <cmath>
 
+#include "addons/vtu/vtu.hpp"
 #include "block_on_obstacle.hpp"
 #include "papers/field_csv.hpp"
 #include "signorini/core/table.hpp"
@@ -11,7 +12,6 @@
 #include "signorini/report/program.hpp"
 #include "signorini/report/results.hpp"
 #include "signorini/report/shown.hpp"
-#include "signorini/report/vtu.hpp"
 #include "signorini/scene/readings.hpp"
 
 namespace {

@@ -6,7 +6,7 @@
 #include "signorini/contact/obstacle.hpp"
 #include "signorini/core/dense.hpp"
 #include "signorini/fem/assembly.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "signorini/fem/elements.hpp"
 #include "signorini/problem/problem.hpp"
 #include "signorini/solvers/enumerate.hpp"

@@ -8,7 +8,7 @@
 #include "papers/examples.hpp"
 #include "papers/quasi_active_set_literal.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "signorini/pairing/node_to_segment.hpp"  // the operators of these contacts, linked with it
 #include "signorini/report/program.hpp"
 #include "signorini/report/results.hpp"

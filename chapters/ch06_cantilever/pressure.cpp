@@ -1,7 +1,9 @@
 // Chapter 6 - The contact pressure on 200 x 20 cells beside that of two beams, and the deformed beam.
 // Run:  make ch06     Reads: nothing     Writes: ch06_pressure.results, pressure.csv, fig_6_3.csv, fig_6_4.csv,
 //                                                fig_6_4_*.csv, ch06.vtu
+#include "addons/vtu/vtu.hpp"
 #include "papers/field_csv.hpp"
+#include "papers/zero_line_csv.hpp"
 #include "scene.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/fem/stress.hpp"
@@ -9,7 +11,6 @@
 #include "signorini/report/program.hpp"
 #include "signorini/report/results.hpp"
 #include "signorini/report/shown.hpp"
-#include "signorini/report/vtu.hpp"
 
 namespace {
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "closed_form/beam.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "signorini/report/pressure_table.hpp"
 #include "signorini/scene/readings.hpp"
 

@@ -3,13 +3,14 @@
 //                                                fig_7_3_*.csv, ch07.vtu
 #include <iostream>
 
+#include "addons/vtu/vtu.hpp"
 #include "papers/field_csv.hpp"
+#include "papers/zero_line_csv.hpp"
 #include "pin.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/fem/stress.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/report/results.hpp"
-#include "signorini/report/vtu.hpp"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "signorini/pairing/node_to_segment.hpp"  // the operators of these contacts, linked with it
 #include "signorini/scene/readings.hpp"
 

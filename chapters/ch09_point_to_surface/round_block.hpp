@@ -1,8 +1,8 @@
 /// \file
 /// A block with a round underside, pushed into a flat one, in any units.
 #pragma once
-#include "signorini/fem/block.hpp"
-#include "signorini/fem/reshape.hpp"
+#include "meshes/block.hpp"
+#include "meshes/reshape.hpp"
 #include "signorini/scene/scene.hpp"
 #include "signorini/solvers/fischer_burmeister.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "closed_form/hertz.hpp"
 #include "meshes/hertz_meshes.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "signorini/scene/readings.hpp"
 
 namespace ch10 {

@@ -12,7 +12,7 @@
 #include "closed_form/hertz_fit.hpp"
 #include "closed_form/moduli.hpp"
 #include "meshes/split.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "signorini/fem/cells.hpp"
 #include "signorini/fem/elements.hpp"
 #include "signorini/scene/readings.hpp"

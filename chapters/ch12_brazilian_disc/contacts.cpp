@@ -2,12 +2,12 @@
 // Run:  make ch12     Reads: nothing     Writes: ch12_contacts.results, cuts.md, ch12.vtu, fig_12_4.csv, fig_12_4_nodes.csv
 #include <iostream>
 
+#include "addons/vtu/vtu.hpp"
 #include "closed_form/hertz_fit.hpp"
 #include "reading.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/report/results.hpp"
-#include "signorini/report/vtu.hpp"
 
 namespace {
 

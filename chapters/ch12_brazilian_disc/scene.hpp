@@ -9,7 +9,7 @@
 #include "closed_form/moduli.hpp"
 #include "meshes/disc.hpp"
 #include "meshes/half_space.hpp"
-#include "signorini/fem/reshape.hpp"
+#include "meshes/reshape.hpp"
 #include "signorini/pairing/mortar.hpp"  // the operators of these contacts, linked with it
 #include "signorini/report/shown.hpp"
 #include "signorini/scene/readings.hpp"

@@ -6,12 +6,12 @@
 #include <filesystem>
 #include <iostream>
 
+#include "addons/vtu/vtu.hpp"
 #include "readings.hpp"
 #include "rings.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/report/results.hpp"
-#include "signorini/report/vtu.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "signorini/core/rounding.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "slider.hpp"
 
 namespace ch15 {

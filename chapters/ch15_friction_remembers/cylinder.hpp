@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "meshes/hertz_meshes.hpp"
-#include "signorini/fem/reshape.hpp"
+#include "meshes/reshape.hpp"
 #include "signorini/pairing/mortar.hpp"  // the operators of these contacts, linked with it
 #include "slider.hpp"
 

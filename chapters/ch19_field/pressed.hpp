@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "signorini/fem/assembly.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "signorini/fem/elements.hpp"
 
 namespace ch19 {

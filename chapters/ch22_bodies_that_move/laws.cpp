@@ -7,7 +7,7 @@
 #include "addons/steps/steps.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "signorini/fem/strain_laws.hpp"
 #include "signorini/report/program.hpp"
 #include "signorini/report/results.hpp"

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "loop.hpp"
-#include "signorini/fem/block.hpp"
-#include "signorini/fem/reshape.hpp"
+#include "meshes/block.hpp"
+#include "meshes/reshape.hpp"
 
 namespace ch22 {
 

@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "addons/text/text_reader.hpp"
+#include "addons/vtu/vtu.hpp"
 #include "command_line/picture.hpp"
 #include "command_line/print.hpp"
 #include "command_line/probe_print.hpp"
@@ -24,7 +25,6 @@
 #include "signorini/core/table.hpp"
 #include "signorini/report/pressure_table.hpp"
 #include "signorini/report/results.hpp"
-#include "signorini/report/vtu.hpp"
 
 namespace command_line {
 namespace {

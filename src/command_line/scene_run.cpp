@@ -8,6 +8,7 @@
 
 #include "addons/steps/steps_limit.hpp"
 #include "addons/text/text_reader.hpp"
+#include "addons/vtu/vtu.hpp"
 #include "command_line/overdue.hpp"
 #include "command_line/picture.hpp"
 #include "command_line/probe_print.hpp"
@@ -17,7 +18,7 @@
 #include "signorini/core/table.hpp"
 #include "signorini/report/pressure_table.hpp"
 #include "signorini/report/results.hpp"
-#include "signorini/report/vtu.hpp"
+#include "signorini/scene/ways.hpp"
 
 namespace command_line {
 namespace {
@@ -162,7 +163,7 @@ void solve_scene(SceneRun& run, const StepObserver& observe) {
   if (run.file.scene.path) return follow(run, std::move(ledger), observe, progress);
   const Condensed condensed = [&] {
     const Overdue overdue = watch(condensing(), run);
-    return run.step([&] { return condense(*run.model, ledger); });
+    return run.step([&] { return condense_as_needed(*run.model, ledger); });
   }();
   progress.say(text("solving", all));
   const Overdue overdue = watch(solving(), run);

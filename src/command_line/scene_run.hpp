@@ -12,9 +12,9 @@
 #include "addons/frontal/backend.hpp"
 #include "addons/prediction/prediction.hpp"
 #include "addons/steps/steps.hpp"
+#include "addons/vtu/vtu.hpp"
 #include "command_line/drafts.hpp"
 #include "signorini/report/pair_columns.hpp"
-#include "signorini/report/vtu.hpp"
 #include "signorini/scene/notes.hpp"
 
 namespace command_line {

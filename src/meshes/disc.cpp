@@ -2,10 +2,10 @@
 
 #include <cmath>
 
+#include "meshes/block.hpp"
 #include "meshes/quarter_grid.hpp"
+#include "meshes/reshape.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/fem/block.hpp"
-#include "signorini/fem/reshape.hpp"
 
 namespace signorini {
 namespace {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "meshes/lattice.hpp"
 #include "meshes/quarter_grid.hpp"
+#include "meshes/reshape.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/fem/lattice.hpp"
-#include "signorini/fem/reshape.hpp"
 
 namespace signorini {
 namespace {

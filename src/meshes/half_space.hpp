@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 
 namespace signorini {
 

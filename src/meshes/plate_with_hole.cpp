@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "meshes/reshape.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
-#include "signorini/fem/reshape.hpp"
 
 namespace signorini {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "signorini/fem/block.hpp"
-#include "signorini/fem/lattice.hpp"
-#include "signorini/fem/reshape.hpp"
+#include "meshes/block.hpp"
+#include "meshes/lattice.hpp"
+#include "meshes/reshape.hpp"
 
 namespace signorini {
 namespace {

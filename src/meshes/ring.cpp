@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numeric>
 
+#include "meshes/lattice.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
-#include "signorini/fem/lattice.hpp"
 
 namespace signorini {
 

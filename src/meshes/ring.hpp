@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "signorini/fem/mesh.hpp"
 
 namespace signorini {

@@ -1,8 +1,9 @@
 // # A field in colours
 //
 // gnuplot fills polygons, but it does not know elements. So a field on a deformed mesh is written
-// as polygons, each closed and followed by an empty line. Three pictures need three kinds: a cell
-// with one value, bands between levels, and the line where a field changes its sign.
+// as polygons, each closed and followed by an empty line. Two pictures need two kinds: a cell with
+// one value, and bands between levels. The line where a field changes its sign is in
+// [zero_line_csv.cpp](zero_line_csv.cpp).
 //
 // Bands are cut where the field meets a level. Within a triangle the field is linear: if it is
 // \f$ v_1 \f$ at one corner and \f$ v_2 \f$ at the next, it has the value v at the share
@@ -168,45 +169,6 @@ std::string deformed_bands_csv(const Mesh& mesh, const NodeArray& displacements,
     add_bands(corners, middle, limits, field);
   }
   return field.csv(text("rel 1e-4 abs ", 2e-5 * moved.cwiseAbs().maxCoeff()));
-}
-
-// A triangle whose corners have different signs is crossed on two of its sides: the line between
-// these two points is its part of the zero line. Zero counts as positive, so a line through a
-// corner is found on one of the two sides that meet there, not on both.
-//
-// Each triangle is treated alone. Neighbours share a side and compute the same point on it, so the
-// short pieces join to a line.
-// A triangle without change of sign adds nothing.
-std::string deformed_zero_line_csv(const Mesh& mesh, const NodeArray& displacements,
-                                   const Eigen::Ref<const Eigen::VectorXd>& value, double scale) {
-  require_argument(displacements.rows() == mesh.n_nodes() && value.size() == mesh.n_nodes(),
-                   "deformed_zero_line_csv: need ", mesh.n_nodes(),
-                   " displacements and values, got ", displacements.rows(), " and ", value.size());
-  const NodeArray moved = mesh.nodes + scale * displacements;
-  const double rounding = 1e-12 * (value.size() > 0 ? value.cwiseAbs().maxCoeff() : 0);
-  Table line({"x", "y"});
-  for (Eigen::Index cell = 0; cell < mesh.n_cells(); ++cell) {
-    const int n = mesh.corners(cell);
-    Eigen::Matrix<double, 5, 3> corner;  // x, y, value; the last of a quadrilateral is the middle
-    for (int k = 0; k < n; ++k)
-      corner.row(k) << moved.row(mesh.cells(cell, k)),
-          snapped(value(mesh.cells(cell, k)), {0}, rounding);
-    if (n == 4) corner.row(4) = corner.topRows<4>().colwise().mean();
-    for (int k = 0; k < (n == 4 ? 4 : 1); ++k) {
-      const int triangle[] = {k, (k + 1) % 4, n == 4 ? 4 : 2};
-      int crossings = 0;
-      for (int side = 0; side < 3; ++side) {
-        const Eigen::RowVector3d one = corner.row(triangle[side]);
-        const Eigen::RowVector3d other = corner.row(triangle[(side + 1) % 3]);
-        if ((one(2) < 0) == (other(2) < 0)) continue;
-        const Eigen::RowVector3d at = one + one(2) / (one(2) - other(2)) * (other - one);
-        line.row({number(at(0), "%.5g"), number(at(1), "%.5g")});
-        ++crossings;
-      }
-      if (crossings > 0) line.blank_line();
-    }
-  }
-  return line.csv(text("rel 1e-4 abs ", 2e-5 * moved.cwiseAbs().maxCoeff()));
 }
 
 // A pressure pushes along a normal; how long its arrow is drawn is the figure's own choice.

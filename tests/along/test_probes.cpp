@@ -8,7 +8,7 @@
 #include "catch_compat.hpp"
 #include "meshes/disc.hpp"
 #include "meshes/split.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "signorini/fem/elements.hpp"
 #include "support/message.hpp"
 

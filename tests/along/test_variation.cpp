@@ -7,7 +7,7 @@
 #include "catch_compat.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "signorini/scene/readings.hpp"
 #include "support/message.hpp"
 

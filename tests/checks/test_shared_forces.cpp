@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
-#include "signorini/fem/reshape.hpp"
+#include "meshes/reshape.hpp"
 #include "support/facing_blocks.hpp"
 #include "support/shared_forces.hpp"
 #include "support/two_bodies.hpp"

@@ -8,7 +8,7 @@
 #include "addons/checks/sliding.hpp"
 #include "addons/steps/steps.hpp"
 #include "catch_compat.hpp"
-#include "signorini/fem/reshape.hpp"
+#include "meshes/reshape.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "support/paths.hpp"
 #include "support/random_scenes.hpp"

@@ -5,7 +5,7 @@
 #include "signorini/contact/gaps.hpp"
 #include "signorini/contact/node_to_obstacle.hpp"
 #include "signorini/core/rounding.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 
 using Eigen::Index;
 using namespace signorini;

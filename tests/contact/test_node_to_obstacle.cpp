@@ -6,7 +6,7 @@
 #include "signorini/contact/node_to_obstacle.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/fem/assembly.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "support/message.hpp"
 #include "support/random.hpp"
 

@@ -131,7 +131,7 @@ expect found signorini/problem/problem.hpp '"signorini/fem/mesh.hpp"'           
 expect found addons/certified/certified_solve.cpp '"addons/frontal/frontal_factor.hpp"'
 expect found closed_form/beam.cpp '"signorini/problem/problem.hpp"'
 expect found signorini/contact/node_to_obstacle.hpp '"signorini/problem/problem.hpp"'
-expect found addons/estimate/dual.cpp '"signorini/report/vtu.hpp"'
+expect found addons/estimate/dual.cpp '"addons/vtu/vtu.hpp"'
 expect found signorini/report/results.cpp '"../fem/mesh.hpp"'                                 # by another name
 expect found signorini/report/results.cpp '"signorini/attic/old.hpp"'                         # what is in no folder
 expect found signorini/attic/old.hpp '<vector>'

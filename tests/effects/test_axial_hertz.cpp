@@ -6,7 +6,7 @@
 #include "closed_form/moduli.hpp"
 #include "meshes/disc.hpp"
 #include "signorini/core/rounding.hpp"
-#include "signorini/fem/reshape.hpp"
+#include "meshes/reshape.hpp"
 #include "signorini/scene/readings.hpp"
 #include "support/spheres.hpp"
 

@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "catch_compat.hpp"
-#include "signorini/fem/regions.hpp"
+#include "meshes/regions.hpp"
 #include "signorini/fem/stress.hpp"
 #include "signorini/scene/readings.hpp"
 #include "support/cantilever.hpp"

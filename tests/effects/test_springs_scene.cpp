@@ -1,7 +1,7 @@
 // Springs between a body and the ground, against closed forms and against supports.
 
 #include "catch_compat.hpp"
-#include "signorini/fem/reshape.hpp"
+#include "meshes/reshape.hpp"
 #include "signorini/scene/readings.hpp"
 #include "support/cantilever.hpp"
 #include "support/checked_scene.hpp"

@@ -5,7 +5,7 @@
 #include "catch_compat.hpp"
 #include "signorini/fem/eigenstrain.hpp"
 #include "signorini/fem/elements.hpp"
-#include "signorini/fem/reshape.hpp"
+#include "meshes/reshape.hpp"
 #include "signorini/fem/stress.hpp"
 #include "support/linear_solve.hpp"
 #include "support/meshes.hpp"

@@ -6,7 +6,7 @@
 #include "addons/estimate/estimate.hpp"
 #include "addons/steps/steps.hpp"
 #include "catch_compat.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "signorini/scene/readings.hpp"
 #include "support/message.hpp"
 

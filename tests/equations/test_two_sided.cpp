@@ -5,7 +5,7 @@
 #include "addons/equations/equations.hpp"
 #include "addons/steps/steps.hpp"
 #include "catch_compat.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "signorini/report/pressure_table.hpp"
 #include "signorini/scene/readings.hpp"
 

@@ -9,8 +9,8 @@
 #include "closed_form/rings.hpp"
 #include "meshes/ring.hpp"
 #include "signorini/core/rounding.hpp"
-#include "signorini/fem/block.hpp"
-#include "signorini/fem/reshape.hpp"
+#include "meshes/block.hpp"
+#include "meshes/reshape.hpp"
 
 using namespace signorini;
 

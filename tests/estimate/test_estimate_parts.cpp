@@ -5,7 +5,7 @@
 #include "addons/estimate/contact_ends.hpp"
 #include "addons/estimate/estimate.hpp"
 #include "catch_compat.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "support/effectivity.hpp"
 
 using namespace signorini;

@@ -4,10 +4,10 @@
 #include "addons/effects/layers.hpp"
 #include "addons/estimate/error_products.hpp"
 #include "catch_compat.hpp"
+#include "meshes/regions.hpp"
+#include "meshes/reshape.hpp"
 #include "meshes/split.hpp"
 #include "signorini/fem/elements.hpp"
-#include "signorini/fem/regions.hpp"
-#include "signorini/fem/reshape.hpp"
 #include "support/meshes.hpp"
 
 using namespace signorini;

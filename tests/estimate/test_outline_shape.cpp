@@ -3,8 +3,8 @@
 
 #include "addons/estimate/outline_shape.hpp"
 #include "catch_compat.hpp"
-#include "signorini/fem/block.hpp"
-#include "signorini/fem/reshape.hpp"
+#include "meshes/block.hpp"
+#include "meshes/reshape.hpp"
 
 using Eigen::Index;
 using Eigen::Vector2d;

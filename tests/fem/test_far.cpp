@@ -2,7 +2,7 @@
 #include "catch_compat.hpp"
 #include "meshes/split.hpp"
 #include "signorini/core/rounding.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "signorini/fem/far.hpp"
 
 using namespace signorini;

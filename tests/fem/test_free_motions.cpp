@@ -5,9 +5,9 @@
 
 #include "catch_compat.hpp"
 #include "signorini/core/rounding.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "signorini/fem/free_motions.hpp"
-#include "signorini/fem/reshape.hpp"
+#include "meshes/reshape.hpp"
 
 using Eigen::Index;
 using Eigen::Vector2d;

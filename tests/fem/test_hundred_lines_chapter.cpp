@@ -2,7 +2,7 @@
 #include "../chapters/ch00_hundred_lines/patch_test.hpp"
 #include "catch_compat.hpp"
 #include "signorini/fem/assembly.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "signorini/fem/elements.hpp"
 
 using namespace ch00;

@@ -3,7 +3,7 @@
 
 #include "catch_compat.hpp"
 #include "meshes/split.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "support/message.hpp"
 
 using Eigen::Index;

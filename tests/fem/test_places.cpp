@@ -5,7 +5,7 @@
 #include "meshes/disc.hpp"
 #include "signorini/fem/assembly.hpp"
 #include "signorini/fem/elements.hpp"
-#include "signorini/fem/reshape.hpp"
+#include "meshes/reshape.hpp"
 #include "signorini/fem/side_curve.hpp"
 #include "support/meshes.hpp"
 #include "support/message.hpp"

@@ -2,8 +2,8 @@
 
 #include "catch_compat.hpp"
 #include "meshes/ring.hpp"
-#include "signorini/fem/block.hpp"
-#include "signorini/fem/reshape.hpp"
+#include "meshes/block.hpp"
+#include "meshes/reshape.hpp"
 #include "support/mesh_measures.hpp"
 #include "support/message.hpp"
 

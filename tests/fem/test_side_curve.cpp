@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "signorini/fem/side_curve.hpp"
 #include "support/random.hpp"
 

@@ -1,7 +1,7 @@
 #include <limits>
 
 #include "catch_compat.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "signorini/fem/unknowns.hpp"
 #include "support/message.hpp"
 

@@ -7,7 +7,7 @@
 #include "catch_compat.hpp"
 #include "fuzz/check_inp.hpp"
 #include "meshes/split.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "support/folder.hpp"
 #include "support/message.hpp"
 

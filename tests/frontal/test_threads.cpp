@@ -4,8 +4,8 @@
 
 #include "addons/frontal/threads.hpp"
 #include "catch_compat.hpp"
+#include "meshes/block.hpp"
 #include "signorini/core/wording.hpp"
-#include "signorini/fem/block.hpp"
 #include "signorini/fem/stress.hpp"
 #include "signorini/scene/scene.hpp"
 #include "support/cantilever.hpp"

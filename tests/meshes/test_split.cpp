@@ -3,10 +3,10 @@
 #include <stdexcept>
 
 #include "catch_compat.hpp"
+#include "meshes/block.hpp"
+#include "meshes/regions.hpp"
+#include "meshes/reshape.hpp"
 #include "meshes/split.hpp"
-#include "signorini/fem/block.hpp"
-#include "signorini/fem/regions.hpp"
-#include "signorini/fem/reshape.hpp"
 #include "support/half_disc.hpp"
 #include "support/mesh_measures.hpp"
 

@@ -4,8 +4,8 @@
 #include "addons/steps/steps.hpp"
 #include "catch_compat.hpp"
 #include "signorini/fem/assembly.hpp"
-#include "signorini/fem/block.hpp"
-#include "signorini/fem/reshape.hpp"
+#include "meshes/block.hpp"
+#include "meshes/reshape.hpp"
 #include "signorini/fem/strain_laws.hpp"
 #include "signorini/scene/readings.hpp"
 

@@ -5,7 +5,7 @@
 #include "addons/motion/finite_strain.hpp"
 #include "addons/steps/steps.hpp"
 #include "catch_compat.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "signorini/fem/elements.hpp"
 #include "signorini/fem/strain_laws.hpp"
 #include "signorini/report/pressure_table.hpp"

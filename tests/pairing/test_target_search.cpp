@@ -4,7 +4,7 @@
 #include "catch_compat.hpp"
 #include "meshes/ring.hpp"
 #include "signorini/core/rounding.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "signorini/pairing/target_search.hpp"
 #include "support/random.hpp"
 

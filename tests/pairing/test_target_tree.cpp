@@ -5,7 +5,7 @@
 #include "meshes/ring.hpp"
 #include "meshes/split.hpp"
 #include "signorini/core/rounding.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "signorini/pairing/target_search.hpp"
 #include "support/random.hpp"
 

@@ -2,9 +2,10 @@
 #include <sstream>
 
 #include "catch_compat.hpp"
+#include "meshes/block.hpp"
 #include "meshes/split.hpp"
 #include "papers/field_csv.hpp"
-#include "signorini/fem/block.hpp"
+#include "papers/zero_line_csv.hpp"
 
 using namespace signorini;
 

@@ -4,7 +4,7 @@
 #include "catch_compat.hpp"
 #include "papers/surrogate_dual.hpp"
 #include "signorini/core/random.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "signorini/fem/element.hpp"
 #include "signorini/fem/stress.hpp"
 #include "signorini/scene/scene.hpp"

@@ -1,7 +1,7 @@
 // The printed method on two elastic bodies, which the paper treats like one body and an obstacle.
 #include "catch_compat.hpp"
 #include "papers/quasi_active_set_literal.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "signorini/scene/scene.hpp"
 
 using Eigen::Index;

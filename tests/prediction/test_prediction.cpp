@@ -8,7 +8,7 @@
 #include "catch_compat.hpp"
 #include "signorini/core/bytes.hpp"
 #include "signorini/core/index.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/readings.hpp"
 #include "signorini/solvers/lemke.hpp"

@@ -47,6 +47,13 @@ TEST_CASE("forged: an empty row of A carries no force", "[certificate]") {
   CHECK(certify(nothing, {vec({0, 1}), {}, vec({0})}).holds());
 }
 
+TEST_CASE("forged: an overlap does not hide behind how far a weak body could go", "[certificate]") {
+  const MatrixXd one = MatrixXd::Ones(1, 1);
+  const QuadraticProgramme weak = programme(1e-20 * one, vec({1}), one, vec({-1}));
+  CHECK_FALSE(certify(weak, {vec({0}), {}, vec({1})}).holds());
+  CHECK(certify(weak, {vec({-1}), {}, vec({1})}).holds());
+}
+
 TEST_CASE("a pair that bears without moving is certified", "[certificate]") {
   const QuadraticProgramme pressed =
       programme(MatrixXd::Ones(1, 1), vec({1}), MatrixXd::Ones(1, 1), vec({0}));

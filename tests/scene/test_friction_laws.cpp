@@ -3,7 +3,7 @@
 
 #include "catch_compat.hpp"
 #include "signorini/contact/friction_laws.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "signorini/scene/scene.hpp"
 #include "support/message.hpp"
 

@@ -1,6 +1,6 @@
 // Slender strips on a rough plane: their displacements depend on the last digits of the forces.
 #include "catch_compat.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "signorini/scene/scene.hpp"
 
 using Eigen::Index;

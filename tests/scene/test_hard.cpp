@@ -6,7 +6,7 @@
 #include "catch_compat.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "signorini/scene/scene.hpp"
 
 namespace {

@@ -5,7 +5,7 @@
 #include "addons/steps/steps.hpp"
 #include "catch_compat.hpp"
 #include "signorini/core/rounding.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "signorini/scene/readings.hpp"
 
 using namespace signorini;

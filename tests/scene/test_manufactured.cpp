@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "signorini/scene/scene.hpp"
 
 using Eigen::Index;

@@ -2,7 +2,7 @@
 #include "catch_compat.hpp"
 #include "meshes/disc.hpp"
 #include "papers/solver_table.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "signorini/scene/scene.hpp"
 
 using namespace signorini;

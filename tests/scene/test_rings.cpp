@@ -4,7 +4,7 @@
 #include "catch_compat.hpp"
 #include "meshes/ring.hpp"
 #include "signorini/core/rounding.hpp"
-#include "signorini/fem/reshape.hpp"
+#include "meshes/reshape.hpp"
 #include "signorini/fem/stress.hpp"
 #include "signorini/scene/readings.hpp"
 #include "support/lining.hpp"

@@ -3,7 +3,7 @@
 
 #include "catch_compat.hpp"
 #include "papers/saddle_point_newton.hpp"
-#include "signorini/fem/reshape.hpp"
+#include "meshes/reshape.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/readings.hpp"
 #include "signorini/solvers/solvers.hpp"

@@ -5,7 +5,7 @@
 #include "addons/steps/steps_limit.hpp"
 #include "catch_compat.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "support/message.hpp"
 
 using namespace signorini;

@@ -7,7 +7,7 @@
 #include "closed_form/hertz.hpp"
 #include "closed_form/moduli.hpp"
 #include "meshes/hertz_meshes.hpp"
-#include "signorini/fem/reshape.hpp"
+#include "meshes/reshape.hpp"
 
 using namespace signorini;
 using Eigen::Index;

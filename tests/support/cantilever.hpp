@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <string>
 
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "signorini/fem/elements.hpp"
 #include "signorini/scene/scene.hpp"
 #include "support/meshes.hpp"

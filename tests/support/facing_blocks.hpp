@@ -2,7 +2,7 @@
 #pragma once
 #include <cmath>
 
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "signorini/pairing/mortar.hpp"
 
 namespace signorini_test {

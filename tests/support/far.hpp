@@ -8,7 +8,7 @@
 #include "signorini/core/dense.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/fem/far.hpp"
-#include "signorini/fem/reshape.hpp"
+#include "meshes/reshape.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/motions.hpp"
 #include "signorini/scene/rigid_modes.hpp"

@@ -7,7 +7,7 @@
 #include "closed_form/footing.hpp"
 #include "meshes/half_space.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/fem/reshape.hpp"
+#include "meshes/reshape.hpp"
 #include "signorini/scene/readings.hpp"
 
 namespace signorini_test {

@@ -8,7 +8,7 @@
 #include "meshes/hertz_meshes.hpp"
 #include "meshes/split.hpp"
 #include "signorini/fem/elements.hpp"
-#include "signorini/fem/reshape.hpp"
+#include "meshes/reshape.hpp"
 #include "signorini/scene/scene.hpp"
 
 namespace signorini_test {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "signorini/contact/gap_operators.hpp"
-#include "signorini/fem/block.hpp"
-#include "signorini/fem/reshape.hpp"
+#include "meshes/block.hpp"
+#include "meshes/reshape.hpp"
 #include "support/random.hpp"
 
 namespace signorini_test {

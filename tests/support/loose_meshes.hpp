@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "support/two_bodies.hpp"
 
 namespace signorini_test {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "meshes/split.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "signorini/fem/element.hpp"
 #include "signorini/fem/unknowns.hpp"
 #include "support/random.hpp"

@@ -1,7 +1,7 @@
 // A block that is pressed on a longer one and dragged along it, in steps.
 #pragma once
 #include "addons/steps/steps.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 
 namespace signorini_test {
 

@@ -3,7 +3,7 @@
 #include <sstream>
 
 #include "catch_compat.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 
 using namespace signorini;
 

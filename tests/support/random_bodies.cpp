@@ -5,8 +5,8 @@
 #include "meshes/disc.hpp"
 #include "meshes/half_space.hpp"
 #include "meshes/ring.hpp"
-#include "signorini/fem/block.hpp"
-#include "signorini/fem/reshape.hpp"
+#include "meshes/block.hpp"
+#include "meshes/reshape.hpp"
 
 namespace signorini_test {
 

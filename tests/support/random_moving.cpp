@@ -5,7 +5,7 @@
 
 #include "addons/steps/histories.hpp"
 #include "meshes/split.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "signorini/fem/strain_laws.hpp"
 
 namespace signorini_test {

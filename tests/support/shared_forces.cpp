@@ -8,8 +8,8 @@
 
 #include "meshes/split.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/fem/block.hpp"
-#include "signorini/fem/reshape.hpp"
+#include "meshes/block.hpp"
+#include "meshes/reshape.hpp"
 #include "signorini/problem/active_set_system.hpp"
 #include "support/random_bodies.hpp"
 

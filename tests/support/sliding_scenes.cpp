@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "addons/steps/steps.hpp"
-#include "signorini/fem/reshape.hpp"
+#include "meshes/reshape.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "support/random_bodies.hpp"
 #include "support/two_bodies.hpp"

@@ -9,8 +9,8 @@
 
 #include "addons/equations/bonds.hpp"
 #include "meshes/split.hpp"
-#include "signorini/fem/block.hpp"
-#include "signorini/fem/reshape.hpp"
+#include "meshes/block.hpp"
+#include "meshes/reshape.hpp"
 #include "signorini/fem/stress.hpp"
 #include "signorini/scene/readings.hpp"
 

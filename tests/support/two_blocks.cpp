@@ -9,7 +9,7 @@
 #include "papers/solver_table.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/fem/assembly.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "signorini/fem/elements.hpp"
 #include "support/meshes.hpp"
 

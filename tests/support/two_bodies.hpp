@@ -3,7 +3,7 @@
 #include <string>
 #include <utility>
 
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "signorini/scene/readings.hpp"
 
 namespace signorini_test {

@@ -5,8 +5,8 @@
 #include "live/figure.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/fem/block.hpp"
-#include "signorini/fem/reshape.hpp"
+#include "meshes/block.hpp"
+#include "meshes/reshape.hpp"
 #include "signorini/pairing/target_search.hpp"
 
 namespace live {

@@ -3,8 +3,8 @@
 
 #include "live/figure.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/fem/block.hpp"
-#include "signorini/fem/reshape.hpp"
+#include "meshes/block.hpp"
+#include "meshes/reshape.hpp"
 #include "signorini/fem/strain_laws.hpp"
 
 namespace live {

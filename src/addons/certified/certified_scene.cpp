@@ -7,6 +7,7 @@
 #include "addons/certified/certified_solve.hpp"
 #include "addons/certified/end_words.hpp"
 #include "addons/certified/proofs.hpp"
+#include "addons/certified/working_set.hpp"
 #include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/core/wording.hpp"
@@ -66,6 +67,11 @@ void note_open_motions(const Model& model, const CertifiedSolution& end, const K
     notes.push_back(motion + ": load and contact do not determine how far, this is one answer");
 }
 
+/// Whether a model may come without its compliance.
+bool leaves_to_working_set(const Model& model, const Factor& factor) {
+  return working_set_pays(model, model.programme.A.rows(), factor.operations());
+}
+
 /// What is said of a solution before anybody has looked at stresses and displacements.
 std::vector<std::string> notes_of(const Model& model, const CertifiedSolution& end,
                                   const KnownMatrices& known) {
@@ -83,10 +89,19 @@ std::vector<std::string> notes_of(const Model& model, const CertifiedSolution& e
 
 Solution certified_solve(const Model& model, const Condensed& condensed, const Solver& solver,
                          Ledger ledger, const SolverOptions& options) {
-  CertifiedSolution end = in_these_units(condensed.problem, [&] {
+  std::optional<CertifiedSolution> few;
+  if (!is_complete(condensed)) {
+    few = working_set_solution(model, condensed, solver, options, ledger);
+    if (!few) {
+      const Condensed whole = completed(model, condensed, ledger);
+      return certified_solve(model, whole, solver, std::move(ledger), options);
+    }
+  }
+  const auto solve_all = [&] {
     return certified_solve(model.programme, condensed_programme(condensed, ledger),
                            mode_shapes(model.modes), solver, options, ledger);
-  });
+  };
+  CertifiedSolution end = few ? std::move(*few) : in_these_units(condensed.problem, solve_all);
   std::vector<std::string> notes = notes_of(model, end, condensed.known);
   if (end.state.report.status == SolveStatus::Ray) end.state.reason = ray_in_words(model);
   Solution solution =
@@ -98,6 +113,6 @@ Solution certified_solve(const Model& model, const Condensed& condensed, const S
   return solution;
 }
 
-void register_certified() { set_solve(certified_solve); }
+void register_certified() { set_solve(certified_solve, leaves_to_working_set); }
 
 }  // namespace signorini

@@ -1,6 +1,7 @@
 #include "addons/checks/moved_forces.hpp"
 
 #include "addons/certified/solve_with_proofs.hpp"
+#include "addons/certified/working_set.hpp"
 #include "addons/equations/eliminate.hpp"
 #include "signorini/contact/gaps.hpp"
 #include "signorini/problem/active_set_system.hpp"
@@ -46,9 +47,11 @@ VectorXd on_nodes(const NodalRows& opening, const PairForces& forces) {
   return opening.transpose() * forces.normal + turned(opening).transpose() * forces.shear;
 }
 
-ContactState forces_nearby(const Condensed& condensed, const VectorXd& displacement,
-                           const VectorXd& opens, const ContactState& contact) {
-  ContactProblem problem = condensed.problem;
+ContactState forces_nearby(const Model& model, const Condensed& condensed,
+                           const VectorXd& displacement, const VectorXd& opens,
+                           const ContactState& contact) {
+  Ledger unseen;
+  ContactProblem problem = completed(model, condensed, unseen).problem;
   problem.free_gap += opens;
   open_far(opens, displacement, problem.free_gap);
   return solved(problem, contact);

@@ -39,12 +39,13 @@ struct PairForces {
 
 /// The same with the rows and the compliance of the pairs in the meshes, so that only gaps are others: for pairs that hardly
 /// moved, and no fresh ones.
-/// \param condensed     from condense() of the model
+/// \param model         that was solved
+/// \param condensed     of it; a compliance that was left out is made here
 /// \param displacement  `2 n_nodes` [length]
 /// \param opens         `n_c` by how much gaps are larger there than the linear ones [length]
 /// \param contact       that was found
 /// \return of the pairs there were; no solution unless its status is Solved
-[[nodiscard]] ContactState forces_nearby(const Condensed& condensed,
+[[nodiscard]] ContactState forces_nearby(const Model& model, const Condensed& condensed,
                                          const Eigen::VectorXd& displacement,
                                          const Eigen::VectorXd& opens, const ContactState& contact);
 

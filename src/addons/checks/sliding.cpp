@@ -147,7 +147,7 @@ std::vector<SlidingChange> sliding_changes(const Model& model, const Condensed& 
                     std::all_of(all.begin(), all.end(), [](const SlidingChange& one) {
                       return one.slip <= noted_change * one.edge;
                     });
-  const ContactState now = near ? forces_nearby(condensed, u, opens, contact)
+  const ContactState now = near ? forces_nearby(model, condensed, u, opens, contact)
                                 : forces_there(model, condensed, there, u, opens, contact);
   const Comparison comparison(model, there, contact, now);
   for (const std::size_t k :

@@ -4,8 +4,8 @@
 
 #include "addons/effects/layers.hpp"
 #include "addons/effects/thermal.hpp"
+#include "meshes/regions.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/fem/regions.hpp"
 #include "signorini/scene/effects.hpp"
 
 namespace signorini::effect {
@@ -16,9 +16,12 @@ bool same(const Material& a, const Material& b) {
          a.state == b.state && a.thickness == b.thickness && a.expansion == b.expansion;
 }
 
+/// A region that the mesh does not have is refused, also of a layer that changes nothing.
 bool has_layers(const Body& body) {
-  return std::any_of(body.layers.begin(), body.layers.end(),
-                     [&](const Layer& layer) { return !same(layer.material, body.material); });
+  bool any = false;
+  for (const Layer& layer : body.layers)
+    any = !region(body.mesh, layer.region).empty() && (any || !same(layer.material, body.material));
+  return any;
 }
 
 void declare_layers(const Scene& scene, Plan& draft) {
@@ -80,7 +83,7 @@ void declare_temperature(const Scene& scene, Plan& draft) {
 Effect layers() {
   return {"layers",
           [](const Scene& scene, const Plan& /*draft*/) {
-            return std::any_of(scene.bodies.begin(), scene.bodies.end(), has_layers);
+            return std::count_if(scene.bodies.begin(), scene.bodies.end(), has_layers) > 0;
           },
           declare_layers, nullptr};
 }

@@ -1,7 +1,7 @@
 #include "addons/effects/layers.hpp"
 
+#include "meshes/regions.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/fem/regions.hpp"
 
 namespace signorini {
 

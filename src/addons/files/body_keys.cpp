@@ -5,10 +5,10 @@
 
 #include "addons/files/kinds.hpp"
 #include "addons/files/scene_keys.hpp"
+#include "meshes/regions.hpp"
 #include "signorini/core/family.hpp"
 #include "signorini/core/index.hpp"
 #include "signorini/fem/elements.hpp"
-#include "signorini/fem/regions.hpp"
 #include "signorini/fem/strain_laws.hpp"
 
 namespace signorini {

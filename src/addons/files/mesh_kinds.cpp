@@ -11,8 +11,8 @@
 #include "meshes/split.hpp"
 #include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"
-#include "signorini/fem/block.hpp"
-#include "signorini/fem/reshape.hpp"
+#include "meshes/block.hpp"
+#include "meshes/reshape.hpp"
 
 namespace signorini {
 

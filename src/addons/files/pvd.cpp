@@ -15,8 +15,8 @@
 #include <sstream>
 #include <utility>
 
+#include "addons/vtu/xml.hpp"
 #include "signorini/report/results.hpp"
-#include "signorini/report/xml.hpp"
 
 namespace signorini {
 namespace {

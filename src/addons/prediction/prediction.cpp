@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "addons/certified/many_bodies.hpp"
+#include "addons/certified/working_set.hpp"
 #include "addons/prediction/front_speed.hpp"
 #include "addons/prediction/pattern.hpp"
 #include "addons/prediction/sample.hpp"
@@ -81,6 +82,7 @@ class Figures {
         of_factor_(factors_again(plan) ? Certainty::AtLeast
                    : plan.backend.factor == Scene().backend.factor ? Certainty::Exact
                                                                    : Certainty::Estimate),
+        few_(working_set_pays(plan, known.rows.rows(), known.fronts.operations())),
         counted_(why_not_counted(plan).empty()) {}
 
   std::vector<PredictedFigure> all() {
@@ -146,13 +148,14 @@ class Figures {
 
   void condensation() {
     const char* const phase = "condensation";
+    const Certainty of_rows = few_ ? Certainty::Estimate : of_factor_;
     add(Frequency::PerStep, phase, "operations of one solve", known_.fronts.solve_operations(),
         of_factor_);
     add(Frequency::Once, phase, "operations",
-        known_.fronts.solve_operations() + known_.paths.operations, of_factor_);
-    add(Frequency::Once, phase, "bytes", number * rows_ * rows_, Certainty::Exact);
-    add(Frequency::Once, phase, "stack bytes", static_cast<double>(known_.paths.bytes()),
-        of_factor_);
+        known_.fronts.solve_operations() + known_.paths.operations, of_rows);
+    add(Frequency::Once, phase, "bytes", number * rows_ * rows_,
+        few_ ? Certainty::Estimate : Certainty::Exact);
+    add(Frequency::Once, phase, "stack bytes", static_cast<double>(known_.paths.bytes()), of_rows);
     const double all =
         1 + static_cast<double>(plan_.parts.size());  // each part of a path has its u0
     // The compliance is cleared and filled, and every rigid motion meets every row.
@@ -259,6 +262,7 @@ class Figures {
   Sample sample_;
   double steps_;
   Certainty of_factor_;  // its fronts are those of ours
+  bool few_;             // whether only pairs that may close are condensed: which, is not known before
   bool counted_;         // whether the iterations of contact are known beforehand
   std::vector<PredictedFigure> figures_;
   double seconds_ = 0;

@@ -67,7 +67,8 @@ struct Prediction {
 ///
 /// The pattern of K, the tree of separators and the fronts are made as condense() makes them, without numbers:
 /// entries, bytes and operations of K, of the factor, of the rows of A and of the compliance are exact; of another back end
-/// than ours those of the factor are estimates. How often
+/// than ours those of the factor are estimates. Where a working set is tried, see working_set_pays(), the figures of the compliance
+/// are those of all pairs, which it will not exceed if it arrives. How often
 /// contact and refinement go round depends on the numbers, so what hangs on that is an estimate: five contact
 /// iterations if there are gaps, with half of the rows closed, and one refinement of the set that they end with, all
 /// that for every load step and every system that nothing connects with others. If pairs have friction, if rigid motions are

@@ -10,6 +10,7 @@
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/motions.hpp"
 #include "signorini/scene/rigid_modes.hpp"
+#include "signorini/scene/ways.hpp"
 
 namespace signorini {
 namespace {
@@ -86,7 +87,7 @@ Solution solve_to_limit(const Scene& scene) {
   require_input(!scene.path, "the scene has load steps: solve_steps() solves it step by step");
   Ledger ledger;
   const Model model = build(scene, ledger);
-  const Condensed condensed = condense(model, ledger);
+  const Condensed condensed = condense_as_needed(model, ledger);
   return solve_to_limit(scene, model, condensed, std::move(ledger));
 }
 

@@ -14,7 +14,8 @@
 // them has gets 12/24 on the diagonal, the two in the middle get 12/24 from each square, which
 // adds up to 1.
 //
-// Loads have a page of their own, loads.cpp.
+// Loads have a page of their own, loads.cpp, and so have the forces of given displacements,
+// internal_forces.cpp.
 
 #include "signorini/fem/assembly.hpp"
 
@@ -27,7 +28,6 @@
 #include "signorini/core/parts.hpp"
 #include "signorini/fem/cell_results.hpp"
 #include "signorini/fem/eigenstrain.hpp"
-#include "signorini/fem/strain_law.hpp"
 
 namespace signorini {
 namespace {
@@ -149,26 +149,6 @@ LinearSystem assemble(const Mesh& mesh, const Element& element, const MaterialFi
         });
       });
   return system;
-}
-
-/// The same sum with all rows, held ones too, and without storing \f$K\f$. In a row that is held,
-/// these forces less the loads are the force of the support. Such a row was not solved, so that it
-/// need not add up to 0.
-NodeArray internal_forces(const Mesh& mesh, const Element& element, const MaterialField& material,
-                          const NodeArray& displacements) {
-  require_argument(displacements.rows() == mesh.n_nodes(), "internal_forces: need ", mesh.n_nodes(),
-                   " displacements (one per node), got ", displacements.rows());
-  NodeArray forces = NodeArray::Zero(mesh.n_nodes(), 2);
-  if (material.eigenstrain) forces -= eigenstrain_forces(mesh, element, material);
-  visit_cells(mesh, element, material, [&](const Cell& cell) {
-    const CellVector f =
-        cell.material.law != nullptr
-            ? answer_of(cell, displacements).force
-            : CellVector(cell_stiffness(cell.element, cell.body) * gathered(cell, displacements));
-    for (Index k = 0; k < cell.element.n_nodes; ++k)
-      forces.row(cell.node(k)) += f.segment<2>(2 * k).transpose();
-  });
-  return forces;
 }
 
 /// Solvers know \f$n\f$ numbers, users know nodes. These two functions are the way from the one to

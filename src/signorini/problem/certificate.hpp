@@ -98,7 +98,8 @@ struct ClaimResiduals {
 /// \f[ \text{equilibrium} = \max\left(\frac{|\rho|_\infty}{\varphi},\ \max_j \frac{|\rho_j|}{o_j}\right),\qquad
 ///     o_j = |p_j| + \sum_i |a_{ij}\lambda_i| + \sqrt{K_{jj}} \max_i \sqrt{K_{ii}} |u_i|, \f]
 /// where own_imbalance() says what equations and rounding change in the last one. Where p - A^T lambda is nothing but rounding,
-/// phi takes its place in the length. Without loads, contact forces below what u in two doubles resolves are measured by
+/// phi takes its place in the length. That second length is at most the largest \f$ |u_j| \f$, or, if u is rounding of it, the larger
+/// of that and the least \f$ |g_i| / s_i > 0 \f$. Without loads, contact forces below what u in two doubles resolves are measured by
 /// \f$ \max_j K_{jj}|u_j| \f$. Of each of the unconnected_systems() all this is taken by itself, and the worst figures count.
 ///
 /// Where u counts from a place that was reached, \f$ \hat u \f$ with internal forces whose magnitudes sum to t, what is left of

@@ -18,7 +18,6 @@
 
 #include "signorini/core/bytes.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/fem/regions.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/check_scene.hpp"
 #include "signorini/scene/checks.hpp"
@@ -101,7 +100,6 @@ void plan_body(const Body& body, Plan& plan) {
   } catch (const ProblemError& error) {
     throw ProblemError(text("body '", name, "': ", error.what()));
   }
-  for (const Layer& layer : body.layers) static_cast<void>(region(body.mesh, layer.region));
   Unknowns unknowns = number_unknowns(body.mesh, body.supports, body.material.state);
   const Index count = unknowns.count;
   plan.on.push_back(text("body '", name, "': ", body.mesh.n_cells(), " cells ",

@@ -1,33 +1,23 @@
-// # Condense, solve, recover
+// # Solve, recover
 //
-// The programme has as many unknowns as the meshes have free components. Contact has only
-// its pairs. So displacements are eliminated: \f$ u = K^{-1}(p - A^T\lambda) \f$ turns the
-// gaps \f$ g - Au \f$ into
-// \f[ \text{gap} = d + G\lambda, \qquad d = g - AK^{-1}p, \qquad G = AK^{-1}A^T. \f]
-// By hand: two springs of stiffness 1 in a row are held at the left, a force of 3 pulls the
-// right end, and a stop is 1 away from that end:
-// \f[ K = \begin{pmatrix} 2 & -1 \\ -1 & 1 \end{pmatrix}, \quad
-// K^{-1} = \begin{pmatrix} 1 & 1 \\ 1 & 2 \end{pmatrix}, \f]
-// and \f$ A = (0, 1) \f$. Without the stop \f$ u = (3, 6) \f$, so \f$ d = 1 - 6 = -5 \f$,
-// and \f$ G = 2 \f$. The gap closes with \f$ \lambda = 2.5 \f$, and \f$ u = (0.5, 1) \f$.
+// [condense.cpp](condense.cpp) has made the small problem: free gaps d and the compliance G of
+// all pairs. What a solver finds for it holds for d and G, which are rounded. So the forces are
+// refined with K, p, A and g as they were posed, and the certificate measures those. Only then
+// is the answer called a solution.
 //
-// K is factored once. The factor gives d and G, and later each displacement that refinement
-// asks for. That is why contact may cost little more than a linear solve: G has as many rows
-// as there are pairs and slips.
+// In the example of that page d = -5 and G = 2. A solver finds the force 2.5 and the gap 0. What
+// a user wants to see comes back from it: \f$ u = K^{-1}(p - A^T\lambda) = (0.5, 1) \f$.
 //
-// What the solver finds holds for the condensed problem, whose d and G are rounded. So the
-// forces are refined with K, p, A and g as they were posed, and the certificate measures
-// those. Only then is the answer called a solution.
+// How it is solved is a choice of the program. The library has one way, solve_plainly(). An
+// add-on may put another one into a slot, which knows more of hard cases, and every solve()
+// below asks what the slot holds.
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <utility>
 
-#include "signorini/contact/gaps.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/core/rounding.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/scene/balance.hpp"
 #include "signorini/scene/bodies.hpp"
@@ -43,27 +33,6 @@ namespace signorini {
 namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
-
-// A singular K has a pivot that vanishes. The message must say which node of which body
-// moves, not which row.
-std::string describe_unknown(const Model& model, Index unknown) {
-  std::size_t b = model.bodies.size() - 1;
-  while (model.bodies[b].first_unknown > unknown) --b;
-  const BodyModel& body = model.bodies[b];
-  return text("body '", body.mesh.name, "', ",
-              body.unknowns.describe(body.mesh, unknown - body.first_unknown));
-}
-
-// K, and one spring per rigid mode, which alone hold the bodies. Without them K is singular
-// and has no factor. In balance the springs carry nothing, so that their size does not
-// matter.
-Factor factor(const Model& model, Ledger& ledger) {
-  const Ledger::Phase phase(ledger, "factor");
-  const Stiffness K{
-      model.programme.stiffness, model.programme.A, [&model] { return unknown_positions(model); },
-      [&model](Index unknown) { return describe_unknown(model, unknown); }, grounding(model.modes), model.order};
-  return model.backend.factor(K, ledger);
-}
 
 // Held components come back here: users know nodes, and the solution has unknowns.
 std::vector<NodeArray> displacements_of_bodies(const Model& model, const VectorXd& displacement) {
@@ -88,75 +57,23 @@ std::string limit_in_words(const Solution& solution) {
   return text("Friction holds at most ", *limit, " of this load. ");
 }
 // A program may put another method in the place of solve_plainly(). The library does not
-// link that method, it calls what this slot holds.
-SolveCondensed& way() {
-  static SolveCondensed now = solve_plainly;
+// link that method, it calls what this slot holds. The method may want to make G itself.
+struct Way {
+  SolveCondensed solve = solve_plainly;
+  LeavesCompliance leaves = nullptr;
+};
+Way& way() {
+  static Way now;
   return now;
 }
 // An add-on with equations may need several solutions for one: it asks the way again and again.
+// A tie that carries tension is one example: its rows press from the one side or the other, and
+// which, is only known when a solution is there.
 SolveAround& around() {
   static SolveAround now = nullptr;
   return now;
 }
-// The ledger counts whole operations.
-long long one_solve(const Condensed& condensed) {
-  return static_cast<long long>(condensed.factor.solve_operations());
-}
-
 }  // namespace
-
-// d and the free slips are what the programme has without contact forces. Load steps change
-// p and g, but neither K nor A: they call this once per step, and the factor and G stay.
-// Bodies that contact alone holds also get R and r, because r depends on p.
-void move_freely(const Model& model, VectorXd free_displacement, Condensed& condensed) {
-  const QuadraticProgramme& programme = model.programme;
-  ContactProblem& problem = condensed.problem;
-  condensed.free_displacement = std::move(free_displacement);
-  const VectorXd free =
-      gaps(programme, {condensed.free_displacement, {}, VectorXd::Zero(programme.A.rows())});
-  const Index slips = static_cast<Index>(model.law.pair.size());
-  problem.free_gap = free.head(free.size() - slips);
-  problem.free_slip = free.tail(slips);
-  if (!model.modes.empty())
-    add_rigid_modes(programme, mode_shapes(model.modes), problem, direction_rounding(model.modes));
-}
-
-// The costs are written into the ledger as they arise. One solve with K is the unit: the
-// chapters measure contact by it.
-Condensed condense(const Model& model, Ledger& ledger) {
-  Condensed condensed{with_context(model.notes, [&] { return factor(model, ledger); }), {}, {}};
-  const Ledger::Phase phase(ledger, "condensation");
-  ledger.count("operations of one solve", one_solve(condensed));
-  ContactProblem& problem = condensed.problem;
-  problem.compliance = condensed.factor.compliance(model.programme.A, ledger);
-  ledger.bytes(problem.compliance.size() * static_cast<long long>(sizeof(double)));
-  problem.law = model.law;
-  ledger.count("operations", one_solve(condensed));
-  move_freely(model, condensed.factor.solve(model.programme.load), condensed);
-  return condensed;
-}
-
-// Whoever refines a solution needs a solve with K and must not know the factor. So it gets
-// functions, which count what they do. Of some unknowns that K joins with no others, the
-// factor may solve alone, which is cheaper.
-CondensedProgramme condensed_programme(const Condensed& condensed, Ledger& ledger) {
-  const auto counted = [&ledger](double operations, Factor::Solve solve_for) {
-    return [&ledger, operations, solve_for = std::move(solve_for)](const VectorXd& load) {
-      ledger.count("operations", static_cast<long long>(operations));
-      return solve_for(load);
-    };
-  };
-  using Solve = std::function<VectorXd(const VectorXd&)>;
-  return {
-      condensed.problem, condensed.free_displacement,
-      counted(condensed.factor.solve_operations(),
-              [&](const Eigen::Ref<const VectorXd>& load) { return condensed.factor.solve(load); }),
-      [&condensed, counted](const std::vector<Index>& unknowns) {
-        const std::optional<Factor::Part> part = condensed.factor.part(unknowns);
-        return part ? Solve(counted(part->solve_operations, part->solve)) : Solve();
-      },
-      condensed.known.diagonal.size() > 0 ? &condensed.known : nullptr};
-}
 
 // From unknowns to what is looked at: pressures, displacements of nodes, the balance of what
 // is told. Checks look at solutions only: notes on the strains of an unsolved problem would
@@ -192,16 +109,20 @@ Solution solve_plainly(const Model& model, const Condensed& condensed, const Sol
   });
   return recovered(model, condensed, std::move(end), model.notes, std::move(ledger));
 }
-// Every solve() below asks the slot, so that a program that has set another way cannot get
-// the old one by mistake.
-void set_solve(SolveCondensed another) { way() = another; }
+// A program sets its way once, at its beginning. No solve() below knows solve_plainly() by
+// name, so that a program that has set another way cannot get the old one by mistake. With the
+// way goes what it wants to be left of G: condense_as_needed() asks for that.
+void set_solve(SolveCondensed another, LeavesCompliance leaves) { way() = {another, leaves}; }
+bool leaves_compliance(const Model& model, const Factor& factor) {
+  return way().leaves != nullptr && way().leaves(model, factor);
+}
 void set_solve_around(SolveAround another) { around() = another; }
 // Chapters that compare methods name the solver. All others take that of the scene.
 Solution solve(const Model& model, const Condensed& condensed, const Solver& solver, Ledger ledger,
                const SolverOptions& options) {
   if (model.equations && around() != nullptr)
-    return around()(way(), model, condensed, solver, std::move(ledger), options);
-  return way()(model, condensed, solver, std::move(ledger), options);
+    return around()(way().solve, model, condensed, solver, std::move(ledger), options);
+  return way().solve(model, condensed, solver, std::move(ledger), options);
 }
 Solution solve(const Model& model, const Condensed& condensed, Ledger ledger) {
   return solve(model, condensed, model.solver, std::move(ledger));
@@ -241,7 +162,7 @@ Solution solve(const Scene& scene) {
   require_input(!scene.path, "the scene has load steps: solve_steps() solves it step by step");
   Ledger ledger;
   const Model model = build(scene, ledger);
-  const Condensed condensed = condense(model, ledger);
+  const Condensed condensed = condense_as_needed(model, ledger);
   return solve(model, condensed, std::move(ledger));
 }
 }  // namespace signorini

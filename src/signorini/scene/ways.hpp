@@ -27,9 +27,22 @@ using SolveCondensed = Solution (*)(const Model& model, const Condensed& condens
                                      const Solver& solver, Ledger ledger,
                                      const SolverOptions& options);
 
+/// Whether a way makes what it needs of the compliance itself. \param model  from build() \param factor  of its K
+/// \return whether condense_as_needed() may leave the compliance out for it
+using LeavesCompliance = bool (*)(const Model& model, const Factor& factor);
+
 /// Puts another way in the place of solve_plainly(), for all that solve() is asked from now on. A program does so at its
-/// beginning. \param another  the way of an add-on
-void set_solve(SolveCondensed another);
+/// beginning. \param another  the way of an add-on \param leaves  of which models it makes the compliance; null: of none
+void set_solve(SolveCondensed another, LeavesCompliance leaves = nullptr);
+
+/// \param model  from build() \param factor  of its K \return what the way that is set says
+[[nodiscard]] bool leaves_compliance(const Model& model, const Factor& factor);
+
+/// condense() for who hands the result to solve() and looks at no compliance: it is left out where the way that is set makes
+/// what it needs of it. \param model  from build() \param ledger  receives the phases `factor` and `condensation`
+/// \return the small problem; `compliance` has no rows where it was left out
+/// \throws ProblemError as condense()
+[[nodiscard]] Condensed condense_as_needed(const Model& model, Ledger& ledger);
 
 /// A way that asks another one, several times if need be.
 using SolveAround = Solution (*)(SolveCondensed way, const Model& model, const Condensed& condensed,

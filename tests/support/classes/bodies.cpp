@@ -1,7 +1,7 @@
 // Contact of elastic bodies: the compliances that the chapters condense, a half-plane, a string.
 #include "papers/solver_table.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "signorini/scene/scene.hpp"
 #include "support/cantilever.hpp"
 #include "support/classes/classes.hpp"

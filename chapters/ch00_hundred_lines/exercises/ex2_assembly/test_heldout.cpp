@@ -5,7 +5,7 @@
 #include "exercise.hpp"
 #include "signorini/core/random.hpp"
 #include "signorini/fem/assembly.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "signorini/fem/elements.hpp"
 #include "support/equal_within.hpp"
 

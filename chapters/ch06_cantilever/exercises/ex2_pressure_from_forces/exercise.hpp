@@ -3,7 +3,7 @@
 #pragma once
 #include <Eigen/Core>
 
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 
 namespace ex6_2 {
 

@@ -4,8 +4,8 @@
 #include "catch_compat.hpp"
 #include "exercise.hpp"
 #include "signorini/core/random.hpp"
-#include "signorini/fem/block.hpp"
-#include "signorini/fem/reshape.hpp"
+#include "meshes/block.hpp"
+#include "meshes/reshape.hpp"
 #include "signorini/pairing/mortar.hpp"
 #include "support/equal_within.hpp"
 

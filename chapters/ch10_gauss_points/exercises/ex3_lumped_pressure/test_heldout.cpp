@@ -5,8 +5,8 @@
 #include "exercise.hpp"
 #include "papers/solver_table.hpp"
 #include "signorini/core/random.hpp"
-#include "signorini/fem/block.hpp"
-#include "signorini/fem/reshape.hpp"
+#include "meshes/block.hpp"
+#include "meshes/reshape.hpp"
 #include "signorini/scene/readings.hpp"
 
 using Eigen::Index;

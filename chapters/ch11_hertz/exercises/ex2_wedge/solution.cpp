@@ -3,7 +3,7 @@
 #include "closed_form/hertz_fit.hpp"
 #include "exercise.hpp"
 #include "meshes/half_space.hpp"
-#include "signorini/fem/reshape.hpp"
+#include "meshes/reshape.hpp"
 
 namespace ex11_2 {
 

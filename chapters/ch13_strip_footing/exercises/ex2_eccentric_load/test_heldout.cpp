@@ -7,7 +7,7 @@
 #include "exercise.hpp"
 #include "meshes/half_space.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/fem/reshape.hpp"
+#include "meshes/reshape.hpp"
 #include "signorini/scene/readings.hpp"
 
 using Eigen::Index;

@@ -6,7 +6,7 @@
 #include "catch_compat.hpp"
 #include "exercise.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 
 using namespace ex14_3;
 

@@ -3,7 +3,7 @@
 
 #include "catch_compat.hpp"
 #include "exercise.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 
 using namespace ex15_6;
 using namespace signorini;

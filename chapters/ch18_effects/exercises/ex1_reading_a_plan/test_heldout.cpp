@@ -3,7 +3,7 @@
 #include "catch_compat.hpp"
 #include "exercise.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 
 using ex18_1::Needs;
 using ex18_1::needs_of;

@@ -4,7 +4,7 @@
 #include "catch_compat.hpp"
 #include "exercise.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 #include "signorini/fem/stress.hpp"
 #include "support/message.hpp"
 #include "support/random.hpp"

@@ -3,8 +3,8 @@
 
 #include "catch_compat.hpp"
 #include "exercise.hpp"
-#include "signorini/fem/block.hpp"
-#include "signorini/fem/regions.hpp"
+#include "meshes/block.hpp"
+#include "meshes/regions.hpp"
 #include "signorini/scene/effects.hpp"
 
 using ex18_4::without;

@@ -9,13 +9,13 @@
 // Users name the grading, not \f$q\f$: doubling the number of cells then leaves the picture as it
 // is.
 
-#include "signorini/fem/block.hpp"
+#include "meshes/block.hpp"
 
 #include <cmath>
 
+#include "meshes/lattice.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
-#include "signorini/fem/lattice.hpp"
 
 namespace signorini {
 

@@ -5,7 +5,7 @@
 // these functions more than a formula for positions. Cells run anticlockwise. Boundaries keep the
 // body on their left. Names go with the sides that they name.
 
-#include "signorini/fem/reshape.hpp"
+#include "meshes/reshape.hpp"
 
 #include <algorithm>
 #include <utility>

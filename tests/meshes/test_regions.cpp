@@ -2,8 +2,8 @@
 #include <limits>
 
 #include "catch_compat.hpp"
-#include "signorini/fem/block.hpp"
-#include "signorini/fem/regions.hpp"
+#include "meshes/block.hpp"
+#include "meshes/regions.hpp"
 #include "support/message.hpp"
 
 using Eigen::Index;

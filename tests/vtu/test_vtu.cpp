@@ -3,10 +3,10 @@
 #include <vector>
 
 #include "addons/files/pvd.hpp"
+#include "addons/vtu/vtu.hpp"
 #include "catch_compat.hpp"
 #include "meshes/split.hpp"
 #include "signorini/fem/stress.hpp"
-#include "signorini/report/vtu.hpp"
 #include "signorini/scene/readings.hpp"
 #include "support/cantilever.hpp"
 #include "support/folder.hpp"

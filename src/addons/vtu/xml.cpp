@@ -6,7 +6,7 @@
 // Names come back from lists of files that this program wrote, so there is a way back for them. Notes are only read by people,
 // and there is none.
 
-#include "signorini/report/xml.hpp"
+#include "addons/vtu/xml.hpp"
 
 #include <iterator>
 #include <utility>

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "addons/steps/steps.hpp"
+#include "addons/vtu/vtu.hpp"
 #include "catch_compat.hpp"
-#include "signorini/fem/reshape.hpp"
-#include "signorini/report/vtu.hpp"
+#include "meshes/reshape.hpp"
 #include "signorini/scene/readings.hpp"
 #include "support/cantilever.hpp"
 #include "support/folder.hpp"

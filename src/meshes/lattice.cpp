@@ -16,7 +16,7 @@
 // Its first cell is 0, 2, 10, 8 for the corners, then 1, 6, 9, 5 for the midpoints of its four
 // sides.
 
-#include "signorini/fem/lattice.hpp"
+#include "meshes/lattice.hpp"
 
 namespace signorini {
 

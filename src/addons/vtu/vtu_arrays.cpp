@@ -14,7 +14,7 @@
 // of it again. Whoever wants to look at numbers, or to compare files line by line, asks for text. Both
 // hold the same bits: 17 digits give back every double.
 
-#include "signorini/report/vtu_arrays.hpp"
+#include "addons/vtu/vtu_arrays.hpp"
 
 #include <iomanip>
 #include <limits>

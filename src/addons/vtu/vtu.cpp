@@ -21,16 +21,16 @@
 // All bodies are one piece, as some readers keep the last piece only. The points are those of the
 // mesh as it was: a viewer adds the displacements, enlarged as much as one likes.
 
-#include "signorini/report/vtu.hpp"
+#include "addons/vtu/vtu.hpp"
 
 #include <cstdint>
 #include <utility>
 
+#include "addons/vtu/vtu_arrays.hpp"
+#include "addons/vtu/xml.hpp"
 #include "signorini/fem/stress.hpp"
 #include "signorini/report/nodal_fields.hpp"
 #include "signorini/report/results.hpp"
-#include "signorini/report/vtu_arrays.hpp"
-#include "signorini/report/xml.hpp"
 #include "signorini/scene/bodies.hpp"
 
 namespace signorini {

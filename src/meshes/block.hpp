@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "meshes/reshape.hpp"
 #include "signorini/fem/mesh.hpp"
-#include "signorini/fem/reshape.hpp"
 
 namespace signorini {
 

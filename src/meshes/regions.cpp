@@ -4,7 +4,7 @@
 // cells of two regions share the nodes of the line between them, and so they are joined. Parts
 // that may separate are two bodies with a contact.
 
-#include "signorini/fem/regions.hpp"
+#include "meshes/regions.hpp"
 
 #include <utility>
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "addons/vtu/vtu.hpp"
 #include "signorini/report/nodal_fields.hpp"
-#include "signorini/report/vtu.hpp"
 
 namespace signorini {
 

@@ -1,0 +1,236 @@
+// Many candidates of which few close: only pairs that may close are condensed, and the answer is that of all pairs.
+#include "addons/certified/working_set.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "catch_compat.hpp"
+#include "meshes/block.hpp"
+#include "signorini/core/rounding.hpp"
+#include "signorini/scene/scene.hpp"
+#include "signorini/scene/ways.hpp"
+#include "signorini/solvers/primal_dual_active_set.hpp"
+#include "support/random.hpp"
+
+using namespace signorini;
+using Eigen::Index;
+using Eigen::Vector2d;
+using Eigen::VectorXd;
+
+namespace {
+
+constexpr Index cells = 400;
+
+/// A strip 200 times as long as high, of square cells; its lower side is bent upwards by a parabola.
+Scene strip(double rise) {
+  Scene scene;
+  Body& body = scene.bodies[0];
+  const double length = static_cast<double>(cells) / 2;
+  body.mesh = mapped(block("strip", {0, 0}, {length, 1}, cells, 2), [=](const Vector2d& x) {
+    return Vector2d(x.x(), x.y() + rise * x.x() * x.x() / (length * length) * (1 - x.y()));
+  });
+  body.material = {1, 0.3, PlaneState::Strain, 1};
+  scene.contacts = {{{"bottom"}, half_plane({0, 0}, {0, 1})}};
+  return scene;
+}
+
+/// The same, with its upper side moved down.
+Scene pressed(double rise, double depth) {
+  Scene scene = strip(rise);
+  scene.bodies[0].supports = {symmetric("left"), prescribed("top", Axis::Y, -depth)};
+  return scene;
+}
+
+/// A beam that is clamped at its left, rests on a disc below its middle and is pushed down beyond it. It bends upwards on the
+/// way to the disc, against a ceiling that it would leave without the disc.
+Scene lever(double ceiling) {
+  Scene scene = strip(0);
+  scene.bodies[0].supports = {fixed("left")};
+  scene.bodies[0].loads.edges.push_back({"right", 0, [](const Vector2d&) { return Vector2d(0, -1e-7); }});
+  scene.contacts = {{{"bottom"}, disc({100, -51}, 50.99)},
+                    {{"top"}, half_plane({0, 1 + ceiling}, {0, -1})}};
+  return scene;
+}
+
+/// One scene by both roads.
+struct Both {
+  Ledger ledger;
+  Model model;
+  Condensed few;
+  Solution grown;  // by a working set, if it arrived
+  Solution all;    // of all pairs
+  explicit Both(const Scene& scene)
+      : model(build(scene, ledger)),
+        few(condense_as_needed(model, ledger)),
+        grown(solve(model, few, ledger)),
+        all(solve(model, condense(model, ledger), Ledger())) {}
+
+  [[nodiscard]] Index pairs() const { return model.programme.A.rows(); }
+  [[nodiscard]] long long condensed() const {
+    return grown.ledger.counted("condensation", "condensed pairs");
+  }
+  [[nodiscard]] long long closed() const { return static_cast<long long>(grown.contact.active.size()); }
+  /// Sets that were condensed.
+  [[nodiscard]] long long rounds() const {
+    for (const LedgerEntry& entry : grown.ledger.entries())
+      if (entry.path == "condensation") return entry.calls - 1;
+    return 0;
+  }
+  void check_equal() const;
+};
+
+void Both::check_equal() const {
+  REQUIRE_FALSE(is_complete(few));
+  REQUIRE(grown.contact.report.status == SolveStatus::Solved);
+  REQUIRE(all.contact.report.status == SolveStatus::Solved);
+  CHECK(grown.certificate.holds());
+  CHECK(grown.contact.active == all.contact.active);
+  CHECK(grown.contact.force == all.contact.force);
+  CHECK(grown.refined.force == all.refined.force);
+  // The second parts of u, which gaps are summed with, come from another start.
+  CHECK(largest(VectorXd(grown.contact.gap - all.contact.gap)) <=
+        epsilon * largest(all.refined.displacement));
+  CHECK(grown.pressure == all.pressure);
+  CHECK(grown.refined.displacement == all.refined.displacement);
+  CHECK(grown.notes == all.notes);
+}
+
+}  // namespace
+
+TEST_CASE("a few pairs of many close, and few are condensed", "[working_set]") {
+  const Both both(pressed(0.4, 1e-3));
+  REQUIRE(both.pairs() == cells + 1);
+  both.check_equal();
+  CHECK(both.closed() > 5);
+  CHECK(both.rounds() == 1);
+  CHECK(both.condensed() < 2 * both.closed());
+  CHECK(both.condensed() < 50);
+}
+
+TEST_CASE("no pair closes: nothing is condensed", "[working_set]") {
+  const Both both(pressed(0.4, -1e-3));
+  both.check_equal();
+  CHECK(both.closed() == 0);
+  CHECK(both.condensed() == 0);
+  CHECK(both.grown.contact.force.isZero(0));
+}
+
+TEST_CASE("all pairs close: all are condensed once, as without a set", "[working_set]") {
+  const Both both(pressed(0, 1e-3));
+  both.check_equal();
+  CHECK(both.closed() == both.pairs());
+  CHECK(both.condensed() == 0);
+  CHECK(both.rounds() == 1);
+}
+
+TEST_CASE("pairs that touch without a force are of the set", "[working_set]") {
+  // Level to the left of the middle, where it rests on the plane without overlap, and off it to the right.
+  Scene scene = pressed(0, 0);
+  const double middle = static_cast<double>(cells) / 4;
+  scene.bodies[0].mesh = mapped(scene.bodies[0].mesh, [=](const Vector2d& x) {
+    const double beyond = std::max(0.0, x.x() - middle) / middle;
+    return Vector2d(x.x(), x.y() + 0.1 * beyond * (1 - x.y()));
+  });
+  const Both both(scene);
+  both.check_equal();
+  CHECK(both.condensed() == cells / 2 + 2);  // nodes on the plane, and a neighbour
+}
+
+TEST_CASE("pairs that close because others close come in round by round", "[working_set]") {
+  for (const double ceiling : {1e-2, 1e-3, 1e-4}) {
+    CAPTURE(ceiling);
+    const Both both(lever(ceiling));
+    REQUIRE(both.pairs() == 2 * cells);
+    both.check_equal();
+    // Without contact forces the beam is below the ceiling everywhere.
+    CHECK(both.few.problem.free_gap.tail(cells).minCoeff() > 0);
+    CHECK(both.grown.contact.active.back() >= cells);
+    CHECK(both.rounds() > 1);
+    CHECK(both.condensed() < both.pairs());
+  }
+}
+
+TEST_CASE("sets that together are as many as all pairs are given up", "[working_set]") {
+  // The lever has hardly more candidates than overlap without contact forces, and the ceiling calls for more.
+  Scene scene = lever(1e-4);
+  auto& sides = scene.bodies[0].mesh.boundaries;  // from left to right below, from right to left above
+  sides["bottom"].erase(sides["bottom"].begin(), sides["bottom"].begin() + 190);
+  sides["top"].erase(sides["top"].begin(), sides["top"].begin() + 250);
+  const Both both(scene);
+  both.check_equal();
+  CHECK(both.grown.contact.active.back() > cells - 190);
+  CHECK(both.condensed() > 0);
+  CHECK(both.rounds() == 2);  // of which the second is of all pairs
+  CHECK(both.condensed() < both.pairs());
+}
+
+TEST_CASE("where the method fails on the set, all pairs are condensed", "[working_set]") {
+  Scene scene = pressed(0.4, 1e-3);
+  scene.solver = {"all or nothing", "gives up on fewer than all pairs of the strip",
+                  [](const ContactProblem& problem, const SolverOptions& options) {
+                    return problem.free_gap.size() > cells ? primal_dual_active_set().solve(problem, options)
+                                                           : ContactState();
+                  }};
+  const Both both(scene);
+  both.check_equal();
+  CHECK(both.rounds() == 2);
+}
+
+TEST_CASE("statuses to begin with are those of the set", "[working_set]") {
+  const Both both(pressed(0.4, 1e-3));
+  SolverOptions options;
+  options.start = all_statuses(both.all.contact);
+  const Solution again = solve(both.model, both.few, both.model.solver, Ledger(), options);
+  CHECK(again.contact.force == both.all.contact.force);
+  CHECK(again.contact.report.iterations == 1);
+}
+
+TEST_CASE("random strips over waves: the same as of all pairs", "[working_set]") {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    CAPTURE(seed);
+    signorini_test::Random random(seed);
+    const double length = static_cast<double>(cells) / 2;
+    const double wave = pi * random.whole(1, 12) / length;
+    const double other = pi * random.whole(13, 40) / length;
+    const double share = random.uniform(0, 0.1);
+    const double height = random.uniform(1e-3, 0.1);
+    const double pressure = std::pow(10.0, -random.whole(5, 11));
+    const double gap = random.uniform(0, 1) * height;
+    Scene scene = strip(0);
+    scene.bodies[0].supports = {fixed("left")};
+    if (random.whole(0, 1) == 1) scene.bodies[0].supports.push_back(fixed("right"));
+    scene.bodies[0].loads.edges.push_back({"top", pressure, {}});
+    const auto y = [=](double x) {
+      return height * (std::cos(wave * x) + share * std::sin(other * x) - 1 - share) - gap;
+    };
+    const auto slope = [=](double x) {
+      return height * (share * other * std::cos(other * x) - wave * std::sin(wave * x));
+    };
+    scene.contacts = {{{"bottom"}, profile(y, slope)},
+                      {{"top"}, half_plane({0, 1 + random.uniform(0.01, 1) * height}, {0, -1})}};
+    const Both both(scene);
+    both.check_equal();
+  }
+}
+
+TEST_CASE("a working set is tried where the counts say that it pays, and for held bodies without friction only",
+          "[working_set]") {
+  const auto left_out = [](const Scene& scene) {
+    Ledger ledger;
+    return !is_complete(condense_as_needed(build(scene, ledger), ledger));
+  };
+  const Scene scene = pressed(0.4, 1e-3);
+  CHECK(left_out(scene));
+  Scene other = scene;
+  other.contacts[0].friction = Friction{0.2};
+  CHECK_FALSE(left_out(other));
+  other = scene;
+  other.bodies[0].supports = {symmetric("left")};
+  other.bodies[0].loads.edges.push_back({"top", 1e-6, {}});
+  CHECK_FALSE(left_out(other));
+  const Plan small = plan(scene);
+  CHECK(working_set_pays(small, 256, 5e6));
+  CHECK_FALSE(working_set_pays(small, 255, 5e6));
+  CHECK_FALSE(working_set_pays(small, 256, 6e6));
+}
