@@ -29,23 +29,10 @@ class ExactSumOf {
   /// Adds the product `a * b` without rounding it, if no step overflows or underflows.
   /// \param a  first factor, of magnitude below 2^996
   /// \param b  second factor, of magnitude below 2^996
-  void add_product(const Number& a, const Number& b) { add_product(a, b, split(b)); }
-  /// A number as the sum of two that have half of its digits each.
-  struct Halves {
-    Number high;  ///< at most 26 bits
-    Number low;   ///< the rest
-  };
-  /// \param a  of magnitude below 2^996 \return its halves
-  static Halves split(const Number& a) {
-    const Number scaled = 134217729.0 * a;  // 2^27 + 1
-    const Number high = scaled - (scaled - a);
-    return {high, a - high};
-  }
-  /// Adds a product as above, to the same bits, where the halves of the second factor are known.
-  /// \param a  first factor \param b  second factor \param y  split(b)
-  void add_product(const Number& a, const Number& b, const Halves& y) {
+  void add_product(const Number& a, const Number& b) {
     const Number product = a * b;
     const Halves x = split(a);
+    const Halves y = split(b);
     const Number error =
         x.low * y.low - (((product - x.high * y.high) - x.low * y.high) - x.high * y.low);
     add(product);
@@ -59,6 +46,17 @@ class ExactSumOf {
   [[nodiscard]] Number low() const { return low_; }
 
  private:
+  struct Halves {
+    Number high;
+    Number low;
+  };
+  /// Two numbers of at most 26 bits whose sum is `a`; valid for |a| < 2^996.
+  static Halves split(const Number& a) {
+    const Number scaled = 134217729.0 * a;  // 2^27 + 1
+    const Number high = scaled - (scaled - a);
+    return {high, a - high};
+  }
+
   Number high_;
   Number low_;
 };

@@ -32,29 +32,21 @@ using RowMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 // A solution in plain doubles has no second part.
 bool has_low(const PrimalDual& solution) { return solution.displacement_low.size() > 0; }
 
-// An entry of u as the sum of two numbers. The first is a factor of as many products as the unknown has
-// neighbours, so that its halves are kept, too.
-struct Entry {
-  double high;
-  double low;
-  ExactSum::Halves halves;
+// u as the sum of two vectors.
+struct Parts {
+  VectorXd high;
+  VectorXd low;
 };
 
-// u without its rigid part, as sums of two numbers again. ExactSum keeps what the subtraction would
-// lose.
-std::vector<Entry> strained_parts(const PrimalDual& solution) {
-  std::vector<Entry> parts(at(solution.displacement.size()));
-  for (Index i = 0; i < solution.displacement.size(); ++i) {
-    Entry& part = parts[at(i)];
-    part.high = solution.displacement(i);
-    part.low = has_low(solution) ? solution.displacement_low(i) : 0;
-    if (solution.rigid.size() > 0) {
-      ExactSum difference(part.high);
-      difference.add(-solution.rigid(i));
-      part.high = difference.high();
-      part.low += difference.low();
-    }
-    part.halves = ExactSum::split(part.high);
+// u without its rigid part, as two vectors again. ExactSum keeps what the subtraction would lose.
+Parts strained_parts(const PrimalDual& solution) {
+  const VectorXd none = VectorXd::Zero(solution.displacement.size());
+  Parts parts{solution.displacement, has_low(solution) ? solution.displacement_low : none};
+  for (Index i = 0; i < solution.rigid.size(); ++i) {
+    ExactSum difference(parts.high(i));
+    difference.add(-solution.rigid(i));
+    parts.high(i) = difference.high();
+    parts.low(i) += difference.low();
   }
   return parts;
 }
@@ -77,7 +69,7 @@ constexpr Index residuals_at_a_time = 4096;
 // as a row. Products with the small part of u are small themselves, and a plain sum is enough for
 // them.
 template <int rows>
-void subtract_stiffness(const QuadraticProgramme& programme, const std::vector<Entry>& u, Index row,
+void subtract_stiffness(const QuadraticProgramme& programme, const Parts& u, Index row,
                         std::vector<ExactSum>& sums) {
   using Numbers = Eigen::Array<double, rows, 1>;
   const Columns& K = programme.stiffness;
@@ -89,10 +81,8 @@ void subtract_stiffness(const QuadraticProgramme& programme, const std::vector<E
   for (Index k = 0; k < count; ++k) {
     Numbers entry;
     for (int r = 0; r < rows; ++r) entry(r) = values[r * count + k];
-    const Entry& part = u[at(inner[k])];
-    sum.add_product(-entry, Numbers::Constant(part.high),
-                    {Numbers::Constant(part.halves.high), Numbers::Constant(part.halves.low)});
-    small += entry * part.low;
+    sum.add_product(-entry, Numbers::Constant(u.high(inner[k])));
+    small += entry * u.low(inner[k]);
   }
   sum.add(-small);
   for (int r = 0; r < rows; ++r) sums[at(row + r)] = ExactSum(sum.high()(r), sum.low()(r));
@@ -141,7 +131,7 @@ VectorXd strained(const PrimalDual& solution) {
 // them to the factor of K, which makes the next correction of them.
 VectorXd equilibrium_residual(const QuadraticProgramme& programme, const PrimalDual& solution) {
   check_sizes(programme, solution);
-  const std::vector<Entry> u = strained_parts(solution);
+  const Parts u = strained_parts(solution);
   std::vector<ExactSum> sums(at(programme.load.size()));
   for_ranges(programme.load.size(), residuals_at_a_time, [&](Index begin, Index end) {
     for (Index i = begin; i < end; ++i)
