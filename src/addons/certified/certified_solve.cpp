@@ -158,7 +158,7 @@ CertifiedSolution certified_solve(const QuadraticProgramme& programme,
                                   const Solver& solver, const SolverOptions& options,
                                   Ledger& ledger) {
   const std::vector<SystemParts> systems =
-      unconnected_systems(programme, condensed.problem.law, null_vectors);
+      unconnected_systems(programme, condensed.problem.law, null_vectors.sparseView());
   if (!systems.empty())
     return separate_solutions(programme, condensed, null_vectors, systems, solver, options, ledger);
   if (many_bodies(null_vectors.cols(), solver, options))
