@@ -8,6 +8,7 @@
 #include <malloc.h>
 #endif
 
+#include "addons/certified/working_set.hpp"
 #include "addons/frontal/frontal_factor.hpp"
 #include "bench/measure.hpp"
 #include "signorini/core/table.hpp"

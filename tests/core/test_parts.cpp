@@ -1,4 +1,5 @@
 #include <atomic>
+#include <chrono>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -78,6 +79,29 @@ TEST_CASE("what a part throws reaches the caller, of several parts that of the f
             });
           }) == "part 7");
     CHECK(free_threads() == count);  // the next loop has all threads again
+  }
+}
+
+TEST_CASE("of two parts that fail the first is told, whichever fails earlier", "[parts]") {
+  const auto rest = [] { std::this_thread::sleep_for(std::chrono::milliseconds(1)); };
+  for (const Index early : {0, 1}) {
+    const Threads now(2);
+    CAPTURE(early);
+    std::atomic<int> begun{0};
+    std::atomic<bool> failed{false};
+    CHECK(signorini_test::problem_message([&] {
+            for_parts(2, [&](Index part) {
+              ++begun;
+              for (int k = 0; k < 1000 && begun < 2; ++k) rest();  // both have been handed out
+              if (part == early) {
+                failed = true;
+                throw ProblemError(part == 0 ? "the first" : "the second");
+              }
+              for (int k = 0; k < 1000 && !failed; ++k) rest();
+              for (int k = 0; k < 20; ++k) rest();  // until the early one has been caught
+              throw ProblemError(part == 0 ? "the first" : "the second");
+            });
+          }) == "the first");
   }
 }
 

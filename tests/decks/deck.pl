@@ -10,6 +10,7 @@
 #   R_x R_y of BODY                            what its supports bear
 #   F_x F_y peak normal_force closed of SOURCE sums of the contact of that source
 #   pressure force gap slip slip_total shear_force shear_traction of SOURCE at x or x,y    a column of the nearest pair, where it stands now
+#   pressing of SOURCE                         how many of its pairs press
 #   rms of BODY                                root of the mean square of all components of displacement of its nodes
 use strict;
 use warnings;
@@ -97,12 +98,19 @@ sub at_node {    # a component of a field of a body
     return $values->[@$values / (@$points / 3) * $nearest + $component];
 }
 
-sub of_pair {    # a column of the nearest pair of a source
-    my ($step, $source, $place, $column) = @_;
+sub pairs_of {    # numbers of the pairs of a source
+    my ($step, $source) = @_;
     my $pairs = $step->{pairs};
     my @contacts = map { $_->{name} } @{ $step->{contacts} };
     my @mine = grep { !$pairs->{contact} || $pairs->{contact}[$_] =~ /^\Q$source\E on / } 0 .. $#{ $pairs->{x} };
     die "no pair of '$source'; contacts are: @contacts\n" if !@mine;
+    return @mine;
+}
+
+sub of_pair {    # a column of the nearest pair of a source
+    my ($step, $source, $place, $column) = @_;
+    my $pairs = $step->{pairs};
+    my @mine = pairs_of($step, $source);
     my ($x, $y) = split /,/, $place;
     my %away = map { $_ => ($pairs->{x}[$_] - $x)**2 + (defined $y ? ($pairs->{y}[$_] - $y)**2 : 0) } @mine;
     my ($nearest) = sort { $away{$a} <=> $away{$b} || $a <=> $b } @mine;
@@ -139,6 +147,7 @@ sub ours {
         my ($body) = grep { $_->{name} eq $whom } @{ $step->{bodies} } or die "no body '$whom'\n";
         $value = $body->{supports}[$1 eq 'y'];
     }
+    elsif ($what eq 'pressing') { $value = grep { $step->{pairs}{force}[$_] > 0 } pairs_of($step, $whom) }
     elsif ($what eq 'rms') { $value = root_mean_square($step, $whom) }
     die "'$asked': unknown quantity\n" if !defined $value;
     return $value / ($over // 1);

@@ -58,14 +58,13 @@ TEST_CASE("if everything turns, contact and friction forces turn with it", "[mot
   const Scene scene = moving_blocks(of);
   Ledger ledger;
   Model model = build(scene, ledger);
-  const PlacePairs place = [&](const Displaced& there, const Displaced& before, Model& of_model,
-                               KeptPoints* kept) {
-    place_bodies(scene, there, before, of_model, kept);
+  const PlacePairs place = [&](const Displaced& there, const Displaced& before, Model& of_model) {
+    place_bodies(scene, there, before, of_model);
   };
   const NodeArray zero = NodeArray::Zero(count_nodes(model.bodies), 2);
   const Displaced rest{zero, zero};
   const LinearisedModel linear(place, rest, model);
-  place(rest, rest, model, nullptr);
+  place(rest, rest, model);
   const Index rows = model.programme.A.rows();
   const VectorXd force = VectorXd::LinSpaced(rows, 1, 2).array().sin();
   VectorXd way(model.unknowns.count);

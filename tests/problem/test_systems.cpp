@@ -72,6 +72,20 @@ TEST_CASE("what is connected is no list of systems", "[systems]") {
   CHECK(unconnected_systems(programme, {}, {}).empty());
 }
 
+TEST_CASE("what the matrices say: the diagonal of K, and whether all hangs together", "[systems]") {
+  QuadraticProgramme programme = three_systems();
+  const KnownMatrices apart = known_matrices(programme, {});
+  CHECK(apart.diagonal == VectorXd::Constant(5, 4));
+  CHECK(!apart.connected);
+  for (const auto& [i, j] : {std::pair<Index, Index>{0, 1}, {1, 2}})
+    programme.stiffness.coeffRef(i, j) = programme.stiffness.coeffRef(j, i) = -1;
+  programme.stiffness.makeCompressed();
+  CHECK(known_matrices(programme, {}).connected);
+  programme.stiffness.coeffRef(1, 2) = programme.stiffness.coeffRef(2, 1) = -1e-17;  // rounding
+  CHECK(unconnected_systems(programme, {}, {}).empty());
+  CHECK(!known_matrices(programme, {}).connected);
+}
+
 TEST_CASE("an error of a small system is not measured by a large one", "[systems][certificate]") {
   QuadraticProgramme programme{MatrixXd(MatrixXd::Identity(2, 2)).sparseView(), VectorXd(2),
                                MatrixXd(MatrixXd::Identity(2, 2)).sparseView(), VectorXd::Zero(2)};

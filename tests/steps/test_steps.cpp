@@ -38,6 +38,42 @@ TEST_CASE("a disc that contact alone holds: twice the load and back again", "[st
   CHECK((steps[2].state.solution.force - first).norm() <= 1e-10 * first.norm());
 }
 
+TEST_CASE("what is known of the matrices of a path changes no bit", "[steps]") {
+  Scene apart = cantilever("q4_incompatible", 20, 3);  // a second body that meets nothing
+  apart.bodies.push_back(apart.bodies[0]);
+  apart.bodies[0].mesh.name = "beam";
+  apart.bodies[1].mesh.name = "other";
+  apart.bodies[1].mesh.nodes.col(1).array() += 100;
+  apart.bodies[1].loads.edges[0].pressure *= 1e-9;
+  apart.contacts[0].source.body = "beam";
+  for (Scene scene : {cantilever("q4_incompatible", 30, 3), hertz(), apart}) {
+    for (Body& body : scene.bodies)
+      for (EdgeLoad& load : body.loads.edges) load.history = "load";
+    scene.path = Path{equal_steps(3), {proportional("load")}};
+    std::vector<Step> ends[2];
+    for (const bool known : {true, false}) {
+      Ledger ledger;
+      Model model = build(scene, ledger);
+      CondensedPath path = condense_path(model, ledger);
+      CHECK(path.condensed.known.connected == (scene.bodies.back().mesh.name != "other"));
+      if (!known) path.condensed.known = {};
+      const PathEnd end = solve_steps(
+          model, path, ledger, [&](const Model&, const Step& step) { ends[known].push_back(step); },
+          {});
+      REQUIRE(end.status == SolveStatus::Solved);
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Solution& with = ends[1][k].solution;
+      const Solution& without = ends[0][k].solution;
+      CHECK(with.contact.force == without.contact.force);
+      CHECK(with.refined.displacement == without.refined.displacement);
+      CHECK(with.refined.displacement_low == without.refined.displacement_low);
+      CHECK(with.certificate.worst() == without.certificate.worst());
+      CHECK(with.notes == without.notes);
+    }
+  }
+}
+
 TEST_CASE("every kind of load follows its history: a step is the scene with scaled loads",
           "[steps]") {
   Scene stepped = slab(1, {});

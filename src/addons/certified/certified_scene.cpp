@@ -22,7 +22,7 @@ namespace signorini {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-VectorXd no_forces(const Model& model, const PrimalDual& refined) {
+VectorXd no_forces(const Model& model, const PrimalDual& refined, const KnownMatrices& known) {
   const QuadraticProgramme& programme = model.programme;
   const VectorXd& force = refined.force;
   const double row = static_cast<double>(programme.stiffness.nonZeros()) /
@@ -33,8 +33,9 @@ VectorXd no_forces(const Model& model, const PrimalDual& refined) {
     const Eigen::SparseVector<double> shape = model.modes[at(mode)].shape.cwiseAbs();
     return shape.dot(rounding) / shape.coeffs().maxCoeff();
   };
-  std::vector<SystemParts> systems =
-      unconnected_systems(programme, model.law, mode_entries(model.modes));
+  std::vector<SystemParts> systems;
+  if (!known.connected)
+    systems = unconnected_systems(programme, model.law, mode_entries(model.modes));
   if (systems.empty()) systems = {whole_system(programme, static_cast<Index>(model.modes.size()))};
   VectorXd none(force.size());
   for (const SystemParts& parts : systems) {
@@ -50,12 +51,12 @@ VectorXd no_forces(const Model& model, const PrimalDual& refined) {
 namespace {
 
 /// Says which motions the pairs that ended up closed leave open: how far they go is then one of many answers.
-void note_open_motions(const Model& model, const CertifiedSolution& end,
+void note_open_motions(const Model& model, const CertifiedSolution& end, const KnownMatrices& known,
                        std::vector<std::string>& notes) {
   if (model.modes.empty()) return;
   // A pair that touches without a force holds nothing: it stops a motion one way only. Of forces as small as the
   // tension that a certificate lets pass, nobody knows whether they are any.
-  const VectorXd nothing = no_forces(model, end.solution);
+  const VectorXd nothing = no_forces(model, end.solution, known);
   const Index pairs = end.state.force.size();
   std::vector<Index> holding;
   for (const Index row : active_set(all_statuses(end.state), model.law).closed) {
@@ -73,14 +74,15 @@ bool leaves_to_working_set(const Model& model, const Factor& factor) {
 }
 
 /// What is said of a solution before anybody has looked at stresses and displacements.
-std::vector<std::string> notes_of(const Model& model, const CertifiedSolution& end) {
+std::vector<std::string> notes_of(const Model& model, const CertifiedSolution& end,
+                                  const KnownMatrices& known) {
   std::vector<std::string> notes = model.notes;
   if (end.state.report.status != SolveStatus::Solved) return notes;
   if (end.state.uniqueness == Uniqueness::Doubtful)
     notes.push_back(uniqueness_warning_in_words(model, end.state.uniqueness_warning));
   if (end.force_uncertainty.share > known_well)
     notes.push_back(force_uncertainty_in_words(model, end.force_uncertainty));
-  note_open_motions(model, end, notes);
+  note_open_motions(model, end, known, notes);
   return notes;
 }
 
@@ -105,7 +107,7 @@ Solution certified_solve(const Model& model, const Condensed& condensed, const S
                            mode_shapes(model.modes), solver, options, ledger);
   };
   CertifiedSolution end = few ? std::move(*few) : in_these_units(condensed.problem, solve_all);
-  std::vector<std::string> notes = notes_of(model, end);
+  std::vector<std::string> notes = notes_of(model, end, condensed.known);
   if (end.state.report.status == SolveStatus::Ray) end.state.reason = ray_in_words(model);
   Solution solution =
       recovered(model, condensed, std::move(end), std::move(notes), std::move(ledger));

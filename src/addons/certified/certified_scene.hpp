@@ -24,8 +24,10 @@ namespace signorini {
 /// system that it is in; or what rounding of the entries of K makes along its rigid motions, if that is more.
 /// \param model    that was solved
 /// \param refined  of its solution
+/// \param known    of the matrices of the model; nothing if they are not
 /// \return `n_c + n_s` [force]
-[[nodiscard]] Eigen::VectorXd no_forces(const Model& model, const PrimalDual& refined);
+[[nodiscard]] Eigen::VectorXd no_forces(const Model& model, const PrimalDual& refined,
+                                        const KnownMatrices& known = {});
 
 /// Makes it the way in which solve() solves models from now on.
 void register_certified();

@@ -29,7 +29,7 @@ class CertifiedSolve {
  public:
   CertifiedSolve(const QuadraticProgramme& programme, const CondensedProgramme& condensed,
                  const MatrixXd& modes, Ledger& ledger)
-      : sets_{{programme, condensed.solve_stiffness, condensed.problem, scaled_, modes},
+      : sets_{{programme, condensed.solve_stiffness, condensed.problem, scaled_, modes, {}, condensed.known},
               ledger,
               end_,
               {{condensed.free_displacement, {}, VectorXd::Zero(programme.initial_gap.size())},
@@ -157,8 +157,10 @@ CertifiedSolution certified_solve(const QuadraticProgramme& programme,
                                   const CondensedProgramme& condensed, const MatrixXd& null_vectors,
                                   const Solver& solver, const SolverOptions& options,
                                   Ledger& ledger) {
+  const bool connected = condensed.known != nullptr && condensed.known->connected;
   const std::vector<SystemParts> systems =
-      unconnected_systems(programme, condensed.problem.law, null_vectors.sparseView());
+      connected ? std::vector<SystemParts>()
+                : unconnected_systems(programme, condensed.problem.law, null_vectors.sparseView());
   if (!systems.empty())
     return separate_solutions(programme, condensed, null_vectors, systems, solver, options, ledger);
   if (many_bodies(null_vectors.cols(), solver, options))

@@ -1,6 +1,7 @@
 #include "addons/certified/working_set.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -21,6 +22,17 @@ using Statuses = std::vector<ContactStatus>;
 /// The first matrix whose rows are worth leaving out: with doubles, half a megabyte.
 constexpr Index fewest_pairs = 256;
 
+/// How many pairs, if they are dense, cost as much as the factor of K, see chapter 21.
+Index paid_for(double operations) { return static_cast<Index>(std::cbrt(3 * operations)); }
+
+/// Every so many of some pairs that no more are left than are paid for: a load may make all pairs overlap where few will close.
+std::vector<Index> thinned(const std::vector<Index>& some, Index most) {
+  const Index stride = 1 + static_cast<Index>(some.size()) / std::max<Index>(most, 1);
+  std::vector<Index> left;
+  for (std::size_t k = 0; k < some.size(); k += at(stride)) left.push_back(some[k]);
+  return left;
+}
+
 /// The pairs that are condensed, among all.
 struct WorkingSet {
   const Model& model;
@@ -28,10 +40,12 @@ struct WorkingSet {
   QuadraticProgramme programme;    ///< K and p; A and g of the set
   std::vector<bool> in;            ///< `n_c` whether a pair is in the set
   std::vector<Index> pairs = {};   ///< that are, in increasing order
-  Statuses statuses;               ///< `n_c` in the last round
+  Statuses statuses;               ///< `n_c` to begin a round with; empty: none are known
 
   WorkingSet(const Model& of, const CondensedProgramme& condensed, const SolverOptions& options);
-  Index take(const VectorXd& gap, const PrimalDual& solution, Index reach);
+  [[nodiscard]] VectorXd rounding(const CertifiedSolution& end) const;
+  [[nodiscard]] std::vector<Index> entering(const CertifiedSolution& end) const;
+  void take(const std::vector<Index>& some, Index reach);
   CertifiedSolution solve(const Factor& factor, const Solver& solver, SolverOptions options,
                           Ledger& ledger);
   void widen(CertifiedSolution& end);
@@ -45,23 +59,29 @@ WorkingSet::WorkingSet(const Model& of, const CondensedProgramme& condensed,
       in(at(of.programme.A.rows()), false),
       statuses(options.start) {}
 
-/// Takes in every pair outside that overlaps, or may by rounding, and so many neighbours on each side. Pairs of a contact are
-/// numbered along its source. \return how many pairs came in
-Index WorkingSet::take(const VectorXd& gap, const PrimalDual& solution, Index reach) {
-  const auto roundings = 2 * static_cast<double>(closed_pairs(statuses).size() + 1);  // as in check_signs()
-  const VectorXd rounding = roundings * movement_rounding(model.programme, solution);
-  const std::vector<bool> before = in;
-  const Index count = gap.size();
-  for (Index pair = 0; pair < count; ++pair) {
-    if (before[at(pair)] || gap(pair) > rounding(pair)) continue;
+/// What gaps are known to, as in check_signs().
+VectorXd WorkingSet::rounding(const CertifiedSolution& end) const {
+  return 2 * static_cast<double>(end.state.active.size() + 1) * movement_rounding(model.programme, end.solution);
+}
+
+/// The pairs outside that overlap, or may by rounding.
+std::vector<Index> WorkingSet::entering(const CertifiedSolution& end) const {
+  const VectorXd known = rounding(end);
+  std::vector<Index> some;
+  for (Index pair = 0; pair < known.size(); ++pair)
+    if (!in[at(pair)] && !(end.state.gap(pair) > known(pair))) some.push_back(pair);
+  return some;
+}
+
+/// Takes in pairs, and so many neighbours on each side of each. Pairs of a contact are numbered along its source.
+void WorkingSet::take(const std::vector<Index>& some, Index reach) {
+  const Index count = static_cast<Index>(in.size());
+  for (const Index pair : some)
     for (Index other = std::max<Index>(0, pair - reach); other <= std::min(count - 1, pair + reach); ++other)
       if (model.contact_of[at(other)] == model.contact_of[at(pair)]) in[at(other)] = true;
-  }
-  const Index last = static_cast<Index>(pairs.size());
   pairs.clear();
   for (Index pair = 0; pair < count; ++pair)
     if (in[at(pair)]) pairs.push_back(pair);
-  return static_cast<Index>(pairs.size()) - last;
 }
 
 /// Condenses the set and solves it, from the statuses of the last round if there was one.
@@ -85,7 +105,8 @@ CertifiedSolution WorkingSet::solve(const Factor& factor, const Solver& solver,
   return certified_solve(programme, own, mode_shapes(model.modes), solver, options, ledger);
 }
 
-/// Makes the end of the set a claim for all pairs: the others are open, without a force.
+/// Makes the end of the set a claim for all pairs: the others are open, without a force. Where they overlap the next round
+/// begins with them closed.
 void WorkingSet::widen(CertifiedSolution& end) {
   const Statuses own = all_statuses(end.state);
   statuses.assign(in.size(), ContactStatus::Open);
@@ -96,6 +117,9 @@ void WorkingSet::widen(CertifiedSolution& end) {
   const VectorXd gap = gaps(model.programme, end.solution);
   fill_state(model.law, statuses, end.solution.force, gap, end.state);
   if (Index& pair = end.force_uncertainty.pair; pair >= 0) pair = pairs[at(pair)];
+  const VectorXd known = rounding(end);
+  for (Index pair = 0; pair < gap.size(); ++pair)
+    if (!in[at(pair)] && gap(pair) < -known(pair)) statuses[at(pair)] = ContactStatus::Stick;
 }
 
 /// Round after round. \return the last one, if it was solved and was worth its rounds
@@ -103,22 +127,25 @@ std::optional<CertifiedSolution> grown(WorkingSet& set, const Condensed& condens
                                        const Solver& solver, const SolverOptions& options,
                                        Ledger& ledger) {
   const Index all = condensed.problem.free_gap.size();
+  const auto dense = [](double m) { return m * m * m; };
   CertifiedSolution end;
   end.solution = {condensed.free_displacement, {}, VectorXd::Zero(all)};
   end.state.gap = condensed.problem.free_gap;
   Report report;
-  Index made = 0;
-  Index reach = 1;
-  set.take(end.state.gap, end.solution, reach);
+  std::vector<Index> some = thinned(set.entering(end), paid_for(condensed.factor.operations()));
+  double made = 0;
+  Index reach = 0;
   do {
-    made += static_cast<Index>(set.pairs.size());
-    if (made >= all) return std::nullopt;
+    set.take(some, reach);
+    made += dense(static_cast<double>(set.pairs.size()));
+    if (2 * made > dense(static_cast<double>(all))) return std::nullopt;
     end = set.solve(condensed.factor, solver, options, ledger);
     append(report, end.state.report);
     if (report.status != SolveStatus::Solved) return std::nullopt;
     set.widen(end);
-    reach *= 2;
-  } while (set.take(end.state.gap, end.solution, reach) > 0);
+    some = set.entering(end);
+    reach = std::max<Index>(1, 2 * reach);
+  } while (!some.empty());
   end.state.report = std::move(report);
   return end;
 }
@@ -128,8 +155,7 @@ std::optional<CertifiedSolution> grown(WorkingSet& set, const Condensed& condens
 bool working_set_pays(const Plan& plan, Index pairs, double operations) {
   const bool plain = plan.modes.empty() && plan.law.pair.empty() && plan.path.times.empty() &&
                      !plan.equations && !plan.loop;
-  const double m = static_cast<double>(pairs);
-  return plain && pairs >= fewest_pairs && m * m * m > 3 * operations;
+  return plain && pairs >= fewest_pairs && pairs > paid_for(operations);
 }
 
 std::optional<CertifiedSolution> working_set_solution(const Model& model,

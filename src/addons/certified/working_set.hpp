@@ -28,17 +28,18 @@ namespace signorini {
 /// \param ledger  receives more of the phase `condensation` \return what condense() would have returned
 [[nodiscard]] Condensed completed(const Model& model, Condensed condensed, Ledger& ledger);
 
-/// Solves a model whose compliance was left out. The set begins with the pairs that overlap or touch without contact forces
-/// and their neighbours. certified_solve() of these alone gives forces and displacements; pairs outside that do not stay open
-/// there come in with neighbours, twice as many in every round, and it is solved again from where it stood. What the last set
+/// Solves a model whose compliance was left out. The set begins with the pairs that overlap or touch without contact forces;
+/// of more than the factor pays for, with every second, third, ... of them: a load may make all pairs overlap where few will
+/// close. certified_solve() of the set alone gives forces and displacements. Pairs outside that do not stay open there come in
+/// with neighbours, twice as many in every round, and it is solved again from where it stood. What the last set
 /// found is then a claim for all pairs, with no force on the others, and the certificate looks at all of it.
 /// \param model      from build(), see working_set_pays()
 /// \param condensed  of it, without its compliance
 /// \param solver     a member that takes such problems
 /// \param options    handed to it
 /// \param ledger     gets phases `condensation`, with the count `condensed pairs` of all rounds, `contact` and `refinement`
-/// \return the end, if it is Solved and the certificate of all pairs holds; nothing also if the sets together get as large
-///   as all pairs are, for then that costs no more
+/// \return the end, if it is Solved and the certificate of all pairs holds; nothing also where the cubes of the sizes of the sets
+///   come to half of that of all pairs: what was tried in vain costs half of what is done then
 [[nodiscard]] std::optional<CertifiedSolution> working_set_solution(const Model& model,
                                                                     const Condensed& condensed,
                                                                     const Solver& solver,

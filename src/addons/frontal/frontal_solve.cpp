@@ -51,9 +51,15 @@ void FrontalFactor::backward(const Front& front, VectorXd& x, VectorXd& numbers)
   own = rows.head(front.own());
 }
 
-/// Every unknown gets its addends in the order of the fronts that they come from, as in one walk through all: what a part
-/// adds to others it keeps in a list, behind what those below it have not needed.
+/// Every unknown gets its addends in the order of the fronts that they come from. One thread walks through all fronts. Of
+/// several each keeps what its part adds to others in a list, behind what those below have not needed.
 void FrontalFactor::forward_in_parts(VectorXd& x) const {
+  if (free_threads() == 1) {
+    VectorXd room(fronts_.tallest);
+    for (const Front& front : fronts_.all)
+      forward(front, x, room, [&x](int place, double addend) { x(place) += addend; });
+    return;
+  }
   std::vector<Addends> handed(fronts_.parts.size());
   std::vector<VectorXd> numbers(at(threads()));
   up_the_tree(fronts_.parts, [&](int number, int worker) {

@@ -2,11 +2,13 @@
 #include <algorithm>
 
 #include "addons/motion/finite_strain.hpp"
+#include "addons/motion/law_limits.hpp"
 #include "addons/motion/moved_scene.hpp"
 #include "addons/motion/register.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/fem/elements.hpp"
 #include "signorini/fem/strain_laws.hpp"
+#include "signorini/scene/checks.hpp"
 #include "signorini/scene/effects.hpp"
 
 namespace signorini {
@@ -51,6 +53,7 @@ void declare_finite_strain(const Scene& scene, Plan& draft) {
 void register_finite_strain() {
   add_strain_law(st_venant_kirchhoff());
   add_strain_law(neo_hooke());
+  add_check({"limits of strain laws", nullptr, nullptr, nullptr, notes_on_laws, nullptr});
   add_effect({"finite strain",
               [](const Scene& scene, const Plan& /*draft*/) { return any_law(scene); },
               declare_finite_strain, nullptr},

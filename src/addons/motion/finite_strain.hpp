@@ -44,6 +44,14 @@ using HyperelasticLaw = void (*)(const Lame& lame, const Components& H, StressRe
 void finite_answer(HyperelasticLaw law, const Cell& cell, const CellVector& displacement,
                    CellAnswer& answer);
 
+/// \param law           of its material
+/// \param cell          as above
+/// \param displacement  `2m` [length]
+/// \return of its points the least stiffness against plane waves, see least_wave_stiffness() [force/length^2]
+/// \throws ProblemError as finite_answer()
+[[nodiscard]] double finite_stability(HyperelasticLaw law, const Cell& cell,
+                                      const CellVector& displacement);
+
 /// \f$ W = \tfrac\lambda2 (\mathrm{tr} E)^2 + \mu\, E : E \f$ with Green's strain E. It gives way in compression: a bar loses
 /// all resistance at a stretch of 0.577.
 /// \return the law

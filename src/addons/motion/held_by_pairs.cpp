@@ -17,10 +17,6 @@ namespace signorini {
 
 using Eigen::Index;
 
-double mean_stiffness(const QuadraticProgramme& programme) {
-  return programme.stiffness.diagonal().cwiseAbs().mean();
-}
-
 std::vector<Index> held_rows(const std::vector<ContactStatus>& statuses, const FrictionLaw& law) {
   std::vector<Index> rows;
   const Index pairs = static_cast<Index>(statuses.size());
@@ -37,12 +33,6 @@ Eigen::SparseMatrix<double> hold_by_pairs(const std::vector<Index>& rows, double
   const NodalRows held = selected_rows(programme.A, rows);
   programme.load += stiffness * (held.transpose() * programme.initial_gap(rows));
   return stiffness * (held.transpose() * held);
-}
-
-void hold_by_springs(double stiffness, QuadraticProgramme& programme) {
-  if (stiffness == 0) return;
-  for (Index k = 0; k < programme.stiffness.cols(); ++k)
-    programme.stiffness.coeffRef(k, k) += stiffness;
 }
 
 }  // namespace signorini

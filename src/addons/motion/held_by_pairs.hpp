@@ -9,10 +9,6 @@
 
 namespace signorini {
 
-/// \param programme  K of some unknowns
-/// \return mean of the diagonal of K [force/length]
-[[nodiscard]] double mean_stiffness(const QuadraticProgramme& programme);
-
 /// The rows that hold: gaps of closed pairs, and slips of those of them that stick.
 /// \param statuses  `n_c` what the pairs do
 /// \param law       of the frictional pairs
@@ -29,10 +25,5 @@ namespace signorini {
 [[nodiscard]] Eigen::SparseMatrix<double> hold_by_pairs(const std::vector<Eigen::Index>& rows,
                                                         double stiffness,
                                                         QuadraticProgramme& programme);
-
-/// Adds a spring to every unknown, at rest where u = 0: a step of Newton's method goes less far then, and to the same end.
-/// \param stiffness  >= 0 [force/length]
-/// \param[in,out] programme  with K
-void hold_by_springs(double stiffness, QuadraticProgramme& programme);
 
 }  // namespace signorini

@@ -1,25 +1,27 @@
 // # The linear problem of an iteration
 //
 // If all strains are small, K is that of the scene, and so is its factor. An iteration then costs
-// the compliance of the rows of its pairs. How contact forces turn is on the right then, see [corrected_solve.cpp](corrected_solve.cpp).
+// the compliance of the rows of its pairs. Under finite strain K is the tangent of the place, and is factored. How contact forces turn is
+// on the right in both, see [corrected_solve.cpp](corrected_solve.cpp).
 //
-// Under finite strain K is the tangent of the place, and is factored. A tangent may be indefinite in a body that is stable,
+// A tangent may be indefinite in a body that is stable,
 // see [held_by_pairs.cpp](held_by_pairs.cpp), and where contact has not begun to hold a body nothing makes it definite. So
-// there is a ladder. Each rung changes how far the iteration goes, and none where the loop ends:
+// there is a ladder. Each rung changes how the way is found, and none where the loop ends:
 //
-// 1. contact forces turn with the bodies, and closed pairs hold, ever more stiffly;
-// 2. contact forces keep their directions: what turns may be what makes the tangent indefinite;
-// 3. springs hold every unknown where it is, ever more stiffly;
-// 4. if the linear problem then has no solution, because a body would fly off before its pairs are found, weak springs, and
-//    the way is bounded.
+// 1. closed pairs hold, ever more stiffly;
+// 2. springs hold every unknown where it is, ever more stiffly. Weak ones only let the matrix have a factor. Like contact forces that turn
+//    they are on the right as well, so that they do not shorten the way; that of stiffer ones is what makes iterations go less far.
+//
+// A body that lies in a bowl is held by nothing but how contact forces turn. Then the first tangents have no factor, or one of rounding,
+// whose corrections lead away; with weak springs they find what resists.
 #include "addons/motion/linear_problem.hpp"
 
+#include <algorithm>
 #include <array>
 #include <limits>
-#include <string>
+#include <optional>
 #include <utility>
 
-#include "addons/motion/curvature.hpp"
 #include "addons/motion/held_by_pairs.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/fem/strain_law.hpp"
@@ -33,98 +35,55 @@ using Eigen::VectorXd;
 
 /// Multiples of the mean stiffness.
 struct Rung {
-  bool turns;
   double pairs;
   double springs;
 };
 
-constexpr std::array<Rung, 8> ladder = {{{true, 40, 0},
-                                         {true, 400, 0},
-                                         {true, 4000, 0},
-                                         {false, 40, 0},
-                                         {false, 4000, 0},
-                                         {false, 40, 1e-3},
-                                         {false, 40, 1e-2},
-                                         {false, 40, 1e-1}}};
-constexpr std::size_t last_turning = 2;  // later rungs slow the loop: no iteration begins with them
-constexpr Rung weak = {false, 40, 1e-6};
-
-/// What turning contact forces take from K.
-Eigen::SparseMatrix<double> turned_by(const TangentProblem& problem) {
-  const Model& model = problem.model;
-  Eigen::SparseMatrix<double> turn(model.unknowns.count, model.unknowns.count);
-  if (problem.turning.size() == 0) return turn;
-  NodeArray places = model.standing->displacement;
-  for (const BodyModel& body : model.bodies)
-    places.middleRows(body.first_node, body.mesh.n_nodes()) += body.mesh.nodes;
-  const Eigen::SparseMatrix<double> all =
-      contact_curvature(problem.points, problem.turning, places);
-  std::vector<Eigen::Triplet<double>> entries;
-  const auto unknown = [&](Index component) {
-    return static_cast<int>(model.unknowns.number(component / 2, component % 2));
-  };
-  for (Index column = 0; column < all.cols(); ++column)
-    for (Eigen::SparseMatrix<double>::InnerIterator it(all, column); it; ++it)
-      if (unknown(it.row()) >= 0 && unknown(column) >= 0)
-        entries.emplace_back(unknown(it.row()), unknown(column), it.value());
-  turn.setFromTriplets(entries.begin(), entries.end());
-  return turn;
-}
+constexpr std::array<Rung, 7> ladder = {
+    {{40, 0}, {400, 0}, {4000, 0}, {40, 1e-6}, {40, 1e-4}, {40, 1e-2}, {40, 1e-1}}};
+constexpr std::size_t weak_springs = 3;  // they and the next are on the right as well
+constexpr std::size_t stiff_springs = 5;  // these make ways short
 
 /// Of an iteration, before a rung adds to it.
 struct Tangent {
   Eigen::SparseMatrix<double> stiffness;
   VectorXd load;
-  Eigen::SparseMatrix<double> turn;  ///< what turning contact forces take from `stiffness`
-  double mean;                       ///< stiffness
+  double mean;  ///< stiffness
 };
 
-/// Rigid motions are those of K before strain, and of no other: without them as long as this lives.
-class WithoutModes {
- public:
-  explicit WithoutModes(Model& model) : model_(model) { modes_.swap(model.modes); }
-  ~WithoutModes() { modes_.swap(model_.modes); }
-  WithoutModes(const WithoutModes&) = delete;
-  WithoutModes& operator=(const WithoutModes&) = delete;
-  WithoutModes(WithoutModes&&) = delete;
-  WithoutModes& operator=(WithoutModes&&) = delete;
-
- private:
-  Model& model_;
-  std::vector<FreeMotion> modes_;
-};
+/// What turning contact forces, and weak springs, lack.
+TurnedForces lacking(const TangentProblem& problem, std::size_t rung, double spring) {
+  if (rung < weak_springs || rung >= stiff_springs || !problem.turned) return problem.turned;
+  return [&problem, spring](const VectorXd& way, const VectorXd& force) -> VectorXd {
+    return problem.turned(way, force) + spring * way;
+  };
+}
 
 /// One try. \return nothing if K has no factor
-std::optional<Solution> try_rung(const Rung& rung, const Tangent& tangent,
+std::optional<Solution> try_rung(std::size_t number, const Tangent& tangent,
                                  const TangentProblem& problem, Condensed& condensed,
-                                 Ledger& ledger) {
+                                 Ledger& ledger, bool& closer) {
   Model& model = problem.model;
   QuadraticProgramme& programme = model.programme;
+  const Rung& rung = ladder[number];
   programme.load = tangent.load;
-  Eigen::SparseMatrix<double> more =
-      hold_by_pairs(problem.held, rung.pairs * tangent.mean, programme);
-  if (rung.turns) more -= tangent.turn;
-  programme.stiffness = tangent.stiffness + more;
-  hold_by_springs(rung.springs * tangent.mean, programme);
-  const WithoutModes without(model);
-  std::optional<Solution> solution;
+  programme.stiffness =
+      tangent.stiffness + hold_by_pairs(problem.held, rung.pairs * tangent.mean, programme);
+  for (Index k = 0; k < programme.load.size() && rung.springs > 0; ++k)
+    programme.stiffness.coeffRef(k, k) += rung.springs * tangent.mean;
   ledger.count("tangents tried", 1);
   try {
     condensed = condense(model, ledger);
-    model.order = condensed.factor.order();  // patterns of a step hardly differ
-    ledger.count("factors", 1);
-    solution.emplace();
   } catch (const ProblemError&) {
     ledger.count("tangents without a factor", 1);
+    return {};
   }
-  if (solution) {
-    *solution =
-        rung.turns && problem.turned
-            ? corrected_solve(model, problem.turned, tangent.turn, problem.options, condensed,
-                              std::exchange(ledger, {}))
-            : solve(model, condensed, model.solver, std::exchange(ledger, {}), problem.options);
-    ledger = std::move(solution->ledger);
-  }
+  model.order = condensed.factor.order();  // patterns of a step hardly differ
+  ledger.count("factors", 1);
+  Solution solution =
+      corrected_solve(model, lacking(problem, number, rung.springs * tangent.mean),
+                      problem.options, condensed, std::exchange(ledger, {}), closer);
+  ledger = std::move(solution.ledger);
   return solution;
 }
 
@@ -161,42 +120,44 @@ Solution solve_with_one_factor(Model& model, VectorXd free, const TurnedForces& 
     condensed.problem.compliance = condensed.factor.compliance(model.programme.A, ledger);
   }
   move_freely(model, std::move(free), condensed);
-  if (!turned) return solve(model, condensed, model.solver, std::move(ledger), options);
-  const Eigen::SparseMatrix<double> none(model.unknowns.count, model.unknowns.count);
-  return corrected_solve(model, turned, none, options, condensed, std::move(ledger));
+  bool closer = true;
+  return corrected_solve(model, turned, options, condensed, std::move(ledger), closer);
 }
 
-Solution solve_with_tangent(const TangentProblem& problem, Condensed& condensed, Ledger ledger,
-                            bool& bounded) {
+// Rigid motions are those of K before strain, and of no other.
+Solution solve_with_tangent(const TangentProblem& problem, Condensed& condensed, Ledger ledger) {
   QuadraticProgramme& programme = problem.model.programme;
-  Tangent tangent{{}, programme.load, turned_by(problem), mean_stiffness(programme)};
+  Tangent tangent{{}, programme.load, programme.stiffness.diagonal().cwiseAbs().mean()};
   tangent.stiffness.swap(programme.stiffness);
+  std::vector<FreeMotion> modes;
+  modes.swap(problem.model.modes);
   std::optional<Solution> solution;
-  bounded = false;
-  const std::size_t first = problem.rung > last_turning ? 0 : problem.rung;
-  for (std::size_t k = first; k < ladder.size(); ++k) {
-    solution = try_rung(ladder[k], tangent, problem, condensed, ledger);
+  for (std::size_t k = problem.rung < weak_springs ? problem.rung : 0; k < ladder.size(); ++k) {
+    bool closer = true;
+    std::optional<Solution> next = try_rung(k, tangent, problem, condensed, ledger, closer);
+    if (!next) continue;
+    solution = std::move(next);
     problem.rung = k;
-    if (solution) break;
-  }
-  const bool flies = solution && solution->contact.unbounded_direction.size() > 0;
-  if (!solution || (flies && problem.held.empty())) {
-    std::optional<Solution> small = try_rung(weak, tangent, problem, condensed, ledger);
-    bounded = small && small->contact.report.status == SolveStatus::Solved;
-    if (bounded || !solution) solution = std::move(small);
+    if (closer) break;
+    k = std::max(k, weak_springs - 1);  // pairs do not make it definite
   }
   if (!solution) {
     solution.emplace();
     solution->contact.report.status = SolveStatus::Breakdown;
-    solution->contact.reason =
-        text("the tangent stays indefinite, however stiffly closed pairs and springs hold it: a body has lost its "
-             "stability, where ", most_shortened(problem.model),
-             ". Take shorter steps, hold the body, or a law that resists at such a strain");
+    solution->contact.reason = why_indefinite(problem.model, ladder.size());
   }
   programme.stiffness.swap(tangent.stiffness);
   programme.load.swap(tangent.load);
+  modes.swap(problem.model.modes);
   solution->ledger = std::move(ledger);
   return *std::move(solution);
+}
+
+std::string why_indefinite(const Model& model, std::size_t rung) {
+  if (rung < stiff_springs) return {};
+  return text("the tangent is indefinite, however stiffly closed pairs hold it: a body has lost its stability, where ",
+              most_shortened(model),
+              ". Take shorter steps, hold the body, or a law that resists at such a strain");
 }
 
 }  // namespace signorini

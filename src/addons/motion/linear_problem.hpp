@@ -2,10 +2,10 @@
 /// \file
 /// The linearised contact problem of an iteration, and what is tried if its tangent has no factor.
 #pragma once
+#include <string>
 #include <vector>
 
 #include "addons/motion/corrected_solve.hpp"
-#include "addons/motion/kept_points.hpp"
 #include "signorini/scene/solution.hpp"
 
 namespace signorini {
@@ -27,10 +27,7 @@ namespace signorini {
 struct TangentProblem {
   Model& model;  ///< placed, with K and p of the iteration, which it keeps
   const std::vector<Eigen::Index>& held;  ///< rows that held last, see held_rows()
-  /// `n_c` forces of the last iteration, which turn with the bodies; empty: none are known [force]
-  const Eigen::VectorXd& turning;
-  const KeptPoints& points;      ///< of its pairs, where `turning` acts
-  const TurnedForces& turned;    ///< how all contact forces turn
+  const TurnedForces& turned;    ///< how contact forces turn; empty: they do not
   const SolverOptions& options;  ///< for the solver
   std::size_t& rung;  ///< of the ladder, to begin with; becomes the one that held
 };
@@ -38,9 +35,13 @@ struct TangentProblem {
 /// \param problem    of an iteration
 /// \param condensed  becomes that of K
 /// \param ledger     goes on in the solution
-/// \param[out] bounded  whether only a spring held a body, so that the way d should be taken in small parts
 /// \return the solution in the way d; if no K has a factor, Breakdown with the reason
 [[nodiscard]] Solution solve_with_tangent(const TangentProblem& problem, Condensed& condensed,
-                                          Ledger ledger, bool& bounded);
+                                          Ledger ledger);
+
+/// \param model  placed
+/// \param rung   of the ladder, that held in its last iteration
+/// \return why that tangent needed springs: which body, at which strain; empty if it needed none
+[[nodiscard]] std::string why_indefinite(const Model& model, std::size_t rung);
 
 }  // namespace signorini

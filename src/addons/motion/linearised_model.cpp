@@ -54,7 +54,7 @@ LinearisedModel::LinearisedModel(const PlacePairs& place, const Displaced& befor
 
 bool LinearisedModel::arrived() const { return left_to_give(model_.unknowns, at_).isZero(0); }
 
-void LinearisedModel::move(const Displaced& there, KeptPoints* points, Ledger& ledger) {
+void LinearisedModel::move(const Displaced& there, Ledger& ledger) {
   QuadraticProgramme& programme = model_.programme;
   const NodeArray left = left_to_give(model_.unknowns, there);
   const bool rest = there.high.isZero(0) && there.low.isZero(0);
@@ -66,7 +66,7 @@ void LinearisedModel::move(const Displaced& there, KeptPoints* points, Ledger& l
   {
     const Ledger::Phase phase(ledger, "pairs");
     ledger.count("searches", 1);
-    place_(there, before_, model_, points);
+    place_(there, before_, model_);
   }
   at_ = there;
   if (rest) return;
@@ -105,7 +105,7 @@ VectorXd LinearisedModel::turned(const VectorXd& way, const VectorXd& force, dou
   Model there = model_;
   aside.swap(model_.programme.stiffness);
   try {
-    place_(ahead({way, {}, {}}, share), before_, there, nullptr);
+    place_(ahead({way, {}, {}}, share), before_, there);
   } catch (const ProblemError&) {
     return VectorXd::Zero(way.size());
   }

@@ -3,7 +3,6 @@
 /// A model that is made linear about where its bodies stand, place after place.
 #pragma once
 #include <Eigen/SparseCore>
-#include <vector>
 
 #include "addons/motion/body_answers.hpp"
 #include "addons/motion/moving_step.hpp"
@@ -20,10 +19,9 @@ class LinearisedModel {
 
   /// Makes the model linear about a place. At rest it is that of the scene, bit by bit.
   /// \param there        of all nodes
-  /// \param[out] points  what pairs keep; null: nobody wants to know
   /// \param ledger       gets the phases `forces` and `pairs`
   /// \throws ProblemError if no pairs can be found there, or a cell inverts; the place is then still the last one
-  void move(const Displaced& there, KeptPoints* points, Ledger& ledger);
+  void move(const Displaced& there, Ledger& ledger);
 
   /// \param way    d of the unknowns, and with all of it what supports still have to give
   /// \param share  of it

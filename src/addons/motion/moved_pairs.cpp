@@ -10,7 +10,6 @@
 #include "addons/motion/moved_pairs.hpp"
 
 #include <memory>
-#include <numeric>
 #include <string>
 
 #include "signorini/scene/bodies.hpp"
@@ -55,46 +54,6 @@ NodeArray nodes_of(const std::vector<BodyModel>& bodies) {
 }
 
 Eigen::Map<const Eigen::VectorXd> flat(const NodeArray& all) { return {all.data(), all.size()}; }
-
-/// A rigid obstacle stands still: what a node has moved since the last step is its slip.
-std::string slide_along_obstacles(const Standing& standing, Pairs& pairs) {
-  if (pairs.slid.size() == 0 && pairs.sliding.nonZeros() > 0)
-    pairs.slid = pairs.sliding * flat(standing.since);
-  return {};
-}
-
-/// Points of the candidates of all contacts, until it is known which of them are pairs of the model.
-struct CandidatePoints {
-  KeptPoints points;
-  std::vector<PairName> names;  ///< of the candidates
-  std::size_t contact = 0;      ///< whose candidates are found
-
-  void add(const KeptPoints& some, const Pairs& candidates, Index first_node) {
-    std::vector<Index> number(candidates.node.size());
-    std::iota(number.begin(), number.end(), static_cast<Index>(names.size()));
-    append_points(some, number, points);
-    for (const Index node : candidates.node) names.emplace_back(contact, first_node + node);
-  }
-  [[nodiscard]] PointWatch watch() {
-    return [this](const MortarPoints& found, const Pairs& candidates) {
-      add(kept_points(found, candidates), candidates, found.interface.source.first_node);
-    };
-  }
-  /// Candidates of an obstacle are their own points: none are shown.
-  void end_contact(const ContactSpec& of, const std::vector<BodyModel>& bodies,
-                   const Pairs& candidates) {
-    if (const Obstacle* obstacle = std::get_if<Obstacle>(&of.target)) {
-      const Surface source = surface(bodies, of.source);
-      add(kept_points(candidates, source, *obstacle), candidates, source.first_node);
-    }
-    ++contact;
-  }
-  [[nodiscard]] KeptPoints of_pairs(const Model& model) const {
-    KeptPoints kept;
-    append_points(points, numbers_among(names_of_pairs(model), names), kept);
-    return kept;
-  }
-};
 
 /// X + u rounded, and what that lacks.
 struct Places {
@@ -145,7 +104,7 @@ void add_rest(const NodeArray& rest, const Unknowns& unknowns, Gaps& gaps) {
 }  // namespace
 
 void place_bodies(const Scene& scene, const Displaced& displacement, const Displaced& before,
-                  Model& model, KeptPoints* kept) {
+                  Model& model) {
   const NodeArray still = nodes_of(model.bodies);
   const Eigen::RowVector2d carried = carrier(scene, model, still, displacement);
   const Places now = places(still, displacement, carried);
@@ -154,12 +113,12 @@ void place_bodies(const Scene& scene, const Displaced& displacement, const Displ
   Plan draft;
   const auto standing =
       std::make_shared<Standing>(Standing{displacement.high, earlier.rounded, moved - now.rest});
-  CandidatePoints candidates;
-  if (kept != nullptr) standing->watch = candidates.watch();
   draft.standing = standing;
-  draft.fits = {[&](const ContactSpec& contact, Pairs& pairs) {
-    if (kept != nullptr) candidates.end_contact(contact, draft.bodies, pairs);
-    return slide_along_obstacles(*standing, pairs);
+  // A rigid obstacle stands still: what a node has moved since the last step is its slip.
+  draft.fits = {[&standing = *standing](const ContactSpec& /*contact*/, Pairs& pairs) {
+    if (pairs.slid.size() == 0 && pairs.sliding.nonZeros() > 0)
+      pairs.slid = pairs.sliding * flat(standing.since);
+    return std::string();
   }};
   draft.unknowns = from_there(model.unknowns, displacement, now.rest);
   draft.gaps.A.resize(0, model.unknowns.count);
@@ -172,7 +131,6 @@ void place_bodies(const Scene& scene, const Displaced& displacement, const Displ
   }
   add_rest(now.rest, draft.unknowns, draft.gaps);
   draft.gaps.pairs.position.rowwise() += carried;
-  standing->watch = {};  // it looks at what ends here
   model.standing = std::move(draft.standing);
   model.gaps = std::move(draft.gaps);
   model.contact_of = std::move(draft.contact_of);
@@ -180,7 +138,6 @@ void place_bodies(const Scene& scene, const Displaced& displacement, const Displ
   for (const Effect* effect : model.effects)
     if (effect->of_pairs) effect->add(model);
   model.gaps = {};
-  if (kept != nullptr) *kept = candidates.of_pairs(model);
 }
 
 void count_from_the_scene(const Displaced& displacement, Model& model) {

@@ -2,12 +2,6 @@
 /// \file
 /// The pairs of a model, found anew where its bodies have moved to.
 #pragma once
-#include <cstddef>
-#include <map>
-#include <utility>
-#include <vector>
-
-#include "addons/motion/kept_points.hpp"
 #include "signorini/scene/scene.hpp"
 #include "signorini/scene/step_loop.hpp"
 
@@ -20,10 +14,9 @@ namespace signorini {
 /// \param displacement  of all nodes, from the scene to where the bodies stand
 /// \param before        the same at the end of the last step
 /// \param[in,out] model  from build() of the scene; as it was if an error is thrown
-/// \param[out] kept      if not null: points of the pairs, as they were if an error is thrown
 /// \throws ProblemError as GapOperator: a source that faces nothing, or lies in its target deeper than a cell
 void place_bodies(const Scene& scene, const Displaced& displacement, const Displaced& before,
-                  Model& model, KeptPoints* kept = nullptr);
+                  Model& model);
 
 /// Lets gaps and slips of a model that was placed count from the scene: \f$ g - Au \f$ with all of u is what they are there.
 /// \param displacement  of all nodes, where the bodies stand

@@ -58,8 +58,8 @@ void move_pairs(const Scene& scene, Plan& draft) {
   draft.followed.reset();
   draft.loop = std::make_shared<const StepLoop>(moving_step(
       [contacts = contacts_of(scene)](const Displaced& displacement, const Displaced& before,
-                                      Model& model, KeptPoints* kept) {
-        place_bodies(*contacts, displacement, before, model, kept);
+                                      Model& model) {
+        place_bodies(*contacts, displacement, before, model);
       }));
 }
 

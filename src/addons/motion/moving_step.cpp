@@ -3,11 +3,11 @@
 // Contact of bodies that slide is no linear problem: gaps and normals depend on where the bodies are. So do forces, if strains
 // are not small. Near a place \f$ \hat u \f$ all of it is linear in the way d that is left,
 // \f[ (K - B - C)\,d = p - f(\hat u) - A^T\lambda, \qquad A = -N(\hat u), \qquad \text{gap} = g(\hat u) - Ad, \f]
-// where B is how normal forces turn, see [curvature.cpp](curvature.cpp), and C how friction does, see
-// [corrected_solve.cpp](corrected_solve.cpp). That is solved and certified as any other scene, C by two corrections. \f$ \hat u + d \f$ is
+// where B is how normal forces turn, and C how friction does. Both are a load of the linear problem, see
+// [corrected_solve.cpp](corrected_solve.cpp), which is solved and certified as any other scene. \f$ \hat u + d \f$ is
 // the next place. Josephy showed in 1979 that this is Newton's method for such problems.
 //
-// Where all strains are small K does not change, and B and C are a load. Then one factor
+// Where all strains are small K does not change. Then one factor
 // serves all iterations of all steps: what an iteration costs is some searches and the compliance of its rows.
 //
 // The end has d = 0. So its digits are those of p - f and of g alone: forces of cells and gaps of places, each computed from
@@ -23,7 +23,6 @@
 #include "addons/motion/linear_problem.hpp"
 #include "addons/motion/linearised_model.hpp"
 #include "addons/motion/moved_pairs.hpp"
-#include "addons/motion/slow_ways.hpp"
 #include "addons/motion/turns.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
@@ -39,13 +38,6 @@ using Eigen::VectorXd;
 /// More iterations are not waited for. A loop that shrinks an error to a fifth each time needs 18 from 1 to 1e-12; one that
 /// needs more than this many is none that ends.
 constexpr int most_iterations = 60;
-
-/// In so many iterations contact forces turn with the way. If a step has not ended by then, this turning may be what makes it circle,
-/// and later iterations leave it out.
-constexpr int most_with_corrections = 20;
-
-/// The way that an iteration may go while nothing but weak springs holds a body, in sizes of the smallest body.
-constexpr double bounded_way = 0.1;
 
 /// The distance of the difference quotient of contact forces, in sizes of the smallest body: its rounding and its truncation error
 /// are then about equal.
@@ -76,20 +68,12 @@ struct Moving {
   LinearisedModel place;
   Factor factor = condensed.factor;  ///< of K before strain
   std::vector<Index> held = {};      ///< rows that held in the last iteration, see held_rows()
-  VectorXd turning = {};             ///< contact forces of the last iteration
-  KeptPoints points = {};            ///< of the pairs, if the tangent of the next iteration wants them
-  SlowWays ways = {};                ///< of the iterations so far
   std::string reason = {};           ///< why a place cannot be gone to
   int iteration = 0;                 ///< that is made
   std::size_t rung = 0;              ///< of the ladder of tangents, that held last
-  bool bounded = false;              ///< whether only springs held a body in the last iteration
 
-  /// Where an iteration wants to know the points of its pairs.
-  [[nodiscard]] KeptPoints* wanted_points() { return place.finite() ? &points : nullptr; }
   [[nodiscard]] TurnedForces turned_forces() const;
   Solution linear_problem();
-  [[nodiscard]] double first_share(const VectorXd& way,
-                                   const std::vector<ContactStatus>& statuses) const;
   bool goes_to(const Solution& solution);
   [[nodiscard]] bool holds_here(Solution& solution, const Linearised& solved) const;
   void hand_on(const Linearised& solved, const ContactState& contact);
@@ -100,7 +84,7 @@ struct Moving {
 /// None at rest, where the linear problem is that of the scene, and none while supports still move: that way may be longer than the
 /// sides that it passes, and what forces do at its beginning does not tell what they do at its end.
 TurnedForces Moving::turned_forces() const {
-  if (place.at_rest() || !place.arrived() || iteration > most_with_corrections) return {};
+  if (place.at_rest() || !place.arrived()) return {};
   return [this](const VectorXd& way, const VectorXd& force) {
     return place.turned(way, force, root_of_rounding * smallest_size(model));
   };
@@ -117,35 +101,21 @@ Solution Moving::linear_problem() {
     Solution solution = solve_with_one_factor(model, std::move(free), turned, options, condensed,
                                               std::move(ledger));
     const bool flies = held.empty() && solution.contact.unbounded_direction.size() > 0;
-    bounded = false;
     if (!flies || !rest) return solution;
     ledger = std::move(solution.ledger);
   }
-  return solve_with_tangent({model, held, turning, points, turned, options, rung}, condensed,
-                            std::move(ledger), bounded);
-}
-
-/// The share of a way that is tried first. While supports still move all of it is gone, or none of them would arrive.
-double Moving::first_share(const VectorXd& way, const std::vector<ContactStatus>& statuses) const {
-  const double farthest = bounded_way * smallest_size(model);
-  if (bounded && largest(way) > farthest) return farthest / largest(way);
-  return place.arrived() ? ways.share(way, statuses) : 1;
+  return solve_with_tangent({model, held, turned, options, rung}, condensed, std::move(ledger));
 }
 
 /// Goes where a solution has the bodies, or on the way there as far as pairs can be found and no cell inverts.
 bool Moving::goes_to(const Solution& solution) {
-  const VectorXd& way = solution.refined.displacement;
-  const std::vector<ContactStatus> statuses = all_statuses(solution.contact);
-  double share = first_share(way, statuses);
-  for (int halved = 0; halved <= model.path.halvings;) try {
-      place.move(place.ahead(solution.refined, share), wanted_points(), ledger);
-      ways.gone(way, statuses, share);
+  double share = 1;
+  for (int halved = 0; halved <= model.path.halvings; ++halved, share /= 2) try {
+      place.move(place.ahead(solution.refined, share), ledger);
       reason.clear();
       return true;
     } catch (const ProblemError& error) {
       reason = error.what();
-      halved += share > 1 ? 0 : 1;
-      share = share > 1 ? 1 : share / 2;
     }
   return false;
 }
@@ -172,7 +142,8 @@ bool Moving::holds_here(Solution& solution, const Linearised& solved) const {
   return true;
 }
 
-std::string why_not_ended(const std::string& reason) {
+std::string why_not_ended(const std::string& reason, const std::string& indefinite) {
+  if (!indefinite.empty()) return indefinite;
   if (!reason.empty()) return text("the bodies cannot come to stand where the last iteration leads: ", reason);
   return text("the equations of where the bodies come to stand did not hold after ",
               most_iterations,
@@ -184,18 +155,14 @@ void Moving::hand_on(const Linearised& solved, const ContactState& contact) {
   const std::vector<Index> same = numbers_among(solved.names, names_of_pairs(model));
   const std::vector<ContactStatus> statuses = all_statuses(contact);
   options.start.assign(same.size(), ContactStatus::Open);
-  turning.setZero(static_cast<Index>(same.size()));
-  for (std::size_t k = 0; k < same.size(); ++k) {
-    if (same[k] < 0) continue;
-    options.start[k] = statuses[static_cast<std::size_t>(same[k])];
-    turning(static_cast<Index>(k)) = contact.force(same[k]);
-  }
+  for (std::size_t k = 0; k < same.size(); ++k)
+    if (same[k] >= 0) options.start[k] = statuses[static_cast<std::size_t>(same[k])];
   held = held_rows(options.start, model.law);
 }
 
 /// Iterations until one holds. \return whether one did
 bool Moving::ends(Solution& solution) {
-  place.move(before, wanted_points(), ledger);
+  place.move(before, ledger);
   while (++iteration <= most_iterations) {
     const Linearised problem{names_of_pairs(model), model.law};
     solution = linear_problem();
@@ -207,7 +174,7 @@ bool Moving::ends(Solution& solution) {
     hand_on(problem, solution.contact);
   }
   solution.contact.report.status = SolveStatus::IterationLimit;
-  solution.contact.reason = why_not_ended(reason);
+  solution.contact.reason = why_not_ended(reason, why_indefinite(model, rung));
   return false;
 }
 
@@ -230,7 +197,7 @@ Solution Moving::solved() {
 StepLoop moving_step(PlacePairs place) {
   StepLoop loop;
   loop.place = [place](const Displaced& displacement, const Displaced& before, Model& model) {
-    place(displacement, before, model, nullptr);
+    place(displacement, before, model);
     count_from_the_scene(displacement, model);
   };
   loop.solve = [place = std::move(place)](const Displaced& before, const SolverOptions& options,

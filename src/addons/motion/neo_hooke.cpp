@@ -49,6 +49,9 @@ StrainLaw neo_hooke() {
   return {"neo_hooke", "rubber-like, resists any compression",
           [](const Cell& cell, const CellVector& displacement, CellAnswer& answer) {
             finite_answer(rubber_stress, cell, displacement, answer);
+          },
+          [](const Cell& cell, const CellVector& displacement) {
+            return finite_stability(rubber_stress, cell, displacement);
           }};
 }
 

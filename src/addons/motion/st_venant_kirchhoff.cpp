@@ -44,6 +44,9 @@ StrainLaw st_venant_kirchhoff() {
   return {"st_venant_kirchhoff", "Hooke's law with Green's strain: large turns, small strains",
           [](const Cell& cell, const CellVector& displacement, CellAnswer& answer) {
             finite_answer(green_strain_stress, cell, displacement, answer);
+          },
+          [](const Cell& cell, const CellVector& displacement) {
+            return finite_stability(green_strain_stress, cell, displacement);
           }};
 }
 

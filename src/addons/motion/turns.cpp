@@ -6,6 +6,7 @@
 
 #include "addons/motion/turns.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "signorini/core/errors.hpp"
@@ -19,22 +20,14 @@ constexpr double noted_turn = 1e-3;  ///< makes strains of 5e-7 of nothing [rad]
 constexpr double refused_turn =
     1e-2;  ///< makes strains of 5e-5, and places beside the right one [rad]
 
-/// Whether each node is of a piece.
-std::vector<bool> within(const Mesh& mesh, const MeshPiece& piece) {
-  std::vector<bool> inside(static_cast<std::size_t>(mesh.n_nodes()), false);
-  for (const Index node : piece.nodes) inside[static_cast<std::size_t>(node)] = true;
-  return inside;
-}
-
 }  // namespace
 
 /// Each cell is taken for the polygon of its corners: \f$ \int \nabla u\,dA = \int_{\partial A} u\,n^T ds \f$ with u straight
 /// between them.
 double mean_turn(const Mesh& mesh, const MeshPiece& piece, const NodeArray& displacements) {
-  const std::vector<bool> inside = within(mesh, piece);
   Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
   for (Index cell = 0; cell < mesh.n_cells(); ++cell) {
-    if (!inside[static_cast<std::size_t>(mesh.cells(cell, 0))]) continue;
+    if (!std::binary_search(piece.nodes.begin(), piece.nodes.end(), mesh.cells(cell, 0))) continue;
     const int corners = mesh.corners(cell);
     for (int k = 0; k < corners; ++k) {
       const Index from = mesh.cells(cell, k);

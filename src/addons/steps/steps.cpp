@@ -10,6 +10,7 @@
 #include "signorini/core/errors.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/problem/active_set_system.hpp"
+#include "signorini/problem/systems.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/step_loop.hpp"
 
@@ -70,6 +71,7 @@ PathEnd ended(PathEnd end) {
 CondensedPath condense_path(const Model& model, Ledger& ledger) {
   check_steps(model, "condense_path");
   CondensedPath path{condense(model, ledger), {}};
+  if (!model.loop) path.condensed.known = known_matrices(model.programme, model.law);
   const Ledger::Phase phase(ledger, "condensation");
   for (const LoadPart& part : model.parts) {
     const bool acts = (part.load.array() != 0).any();

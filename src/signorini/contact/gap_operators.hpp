@@ -32,7 +32,6 @@ struct GapOptions {
   /// `n_nodes x 2` where the nodes of all bodies stood before they came to where the meshes have them [length]; with S, a
   /// member then says how far its points have `slid` since, along the sides that they face. Null: nothing has moved.
   const NodeArray* before = nullptr;
-  PointWatch watch = {};  ///< is shown the points of the pairs by mortar() on segments; may be null
 };
 
 /// One member of the family.

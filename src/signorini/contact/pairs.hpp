@@ -11,7 +11,6 @@
 #pragma once
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -53,13 +52,6 @@ struct Pairs {
   Eigen::VectorXd slid =
       {};  ///< `n_c` slip where no unknown moves [length]; empty: 0, see GapOptions::before
 };
-
-/// What rows of pairs are means over, as the operator has it: see pairing/mortar_points.hpp.
-struct MortarPoints;
-
-/// Looks at the points of pairs before they are forgotten. A row is a mean: it says what a pair reads of the displacements
-/// where the bodies stand, and not how it will read them once they have moved.
-using PointWatch = std::function<void(const MortarPoints& points, const Pairs& pairs)>;
 
 /// \param arm     from a point to a place [length]
 /// \param normal  unit vector [-]

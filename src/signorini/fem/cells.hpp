@@ -71,13 +71,9 @@ class Cells {
 
   /// \return how many there are
   [[nodiscard]] Eigen::Index count() const { return mesh_.n_cells(); }
-  /// \param number  of a cell \return the element that stands in it
-  [[nodiscard]] const Element& element(Eigen::Index number) const {
-    return mesh_.corners(number) == 3 ? triangle_ : element_;
-  }
   /// \param number  of a cell \return it
   [[nodiscard]] Cell operator[](Eigen::Index number) const {
-    return {number, element(number), material_.of(number),
+    return {number, mesh_.corners(number) == 3 ? triangle_ : element_, material_.of(number),
             cell_body(cell_nodes(mesh_, number), D_[material_.number(number)], depth_), mesh_};
   }
 

@@ -8,13 +8,16 @@
 
 namespace signorini {
 
-/// In axial symmetry a shift along the radius strains, and stays.
-CellAnswer answer_of(const Cell& cell, const NodeArray& displacements) {
+CellVector less_shift(const Cell& cell, const NodeArray& displacements) {
   CellVector u = gathered(cell, displacements);
   const Eigen::Vector2d shift(cell.body.depth.axial ? 0.0 : u(0), u(1));
   for (Eigen::Index k = 0; k < cell.element.n_nodes; ++k) u.segment<2>(2 * k) -= shift;
+  return u;
+}
+
+CellAnswer answer_of(const Cell& cell, const NodeArray& displacements) {
   CellAnswer answer;
-  cell.material.law->answer(cell, u, answer);
+  cell.material.law->answer(cell, less_shift(cell, displacements), answer);
   return answer;
 }
 

@@ -26,7 +26,15 @@ struct StrainLaw {
   /// less a shift of all of it, which strains nothing, so that no digits are lost. Throws ProblemError, which names the cell,
   /// if it inverts. Null: strains are small.
   void (*answer)(const Cell& cell, const CellVector& displacement, CellAnswer& answer);
+  /// The least stiffness that the material of a cell has against plane waves, over its strain points: negative where the law is
+  /// that of no stable material [force/length^2]. Null: nobody asks.
+  double (*stability)(const Cell& cell, const CellVector& displacement) = nullptr;
 };
+
+/// \param cell           of a mesh
+/// \param displacements  `n_nodes x 2` [length]
+/// \return `2m` those of its nodes less the shift of the first one, which strains nothing; along a radius it does, and stays
+[[nodiscard]] CellVector less_shift(const Cell& cell, const NodeArray& displacements);
 
 /// What a cell of a material with a law answers to displacements of the mesh.
 /// \param cell           of a material that has a law

@@ -20,6 +20,7 @@
 
 #include <array>
 #include <cmath>
+#include <mutex>
 #include <vector>
 
 #include "signorini/core/dense.hpp"
@@ -59,38 +60,28 @@ Eigen::Vector4d stress_at(const StrainPoint& point, const Cell& cell, const Cell
   });
 }
 
-/// The strain points of a cell and the stress at them, row by row.
+/// The stress at the strain points of a cell, row by row.
 ///
-/// It has room for nine points of eight nodes, 5 kB. Only what is made of it, a few numbers per node,
-/// is kept until the neighbours are ready, too.
-struct CellStress {
-  StrainPoints points;
-  PointStress stress;
-};
-
 /// A cell of a material with a law says itself what its true stress is, per area where it stands. In
 /// all others \f$\sigma = D\,(Bu - \varepsilon_0)\f$, with what needs no stress, as a warm cell that may
 /// grow, taken off the strain.
-void find_stress(const Cell& cell, const NodeArray& displacements, const Eigenstrain& eigenstrain,
-                 CellStress& found) {
-  cell.element.strain(cell.body, found.points);
-  if (cell.material.law != nullptr) {
-    found.stress = answer_of(cell, displacements).stress;
-    return;
-  }
+PointStress stress_in(const Cell& cell, const NodeArray& displacements,
+                      const Eigenstrain& eigenstrain, const StrainPoints& points) {
+  if (cell.material.law != nullptr) return answer_of(cell, displacements).stress;
   const CellVector u = gathered(cell, displacements);
-  found.stress.resize(found.points.size, 4);
+  PointStress stress(points.size, 4);
   PointStrains free;
-  if (eigenstrain) free = eigenstrains(cell, found.points, eigenstrain);
-  for (int i = 0; i < found.points.size; ++i) {
-    const StrainPoint& point = found.points.point[static_cast<std::size_t>(i)];
+  if (eigenstrain) free = eigenstrains(cell, points, eigenstrain);
+  for (int i = 0; i < points.size; ++i) {
+    const StrainPoint& point = points.point[static_cast<std::size_t>(i)];
     const double across = eigenstrain ? eigenstrain(cell.material, position(cell, point))(3) : 0;
-    found.stress.row(i) =
+    stress.row(i) =
         stress_at(point, cell, u, eigenstrain ? free.col(i).data() : nullptr, across).transpose();
   }
+  return stress;
 }
 
-/// Calls compute(cell, found, result) with the stress in every cell, on threads(), and
+/// Calls compute(cell, points, stress, result) with the stress in every cell, on threads(), and
 /// take(number, result) in the order of the cells.
 ///
 /// Nodal values and means of cells both begin with this loop. Neighbours add to the same node, and
@@ -103,9 +94,9 @@ void visit_stresses(const Mesh& mesh, const Element& element, const MaterialFiel
   visit_results<Result>(
       Cells(mesh, element, material),
       [&](const Cell& cell, Result& result) {
-        CellStress found;
-        find_stress(cell, displacements, material.eigenstrain, found);
-        compute(cell, found, result);
+        StrainPoints points;
+        cell.element.strain(cell.body, points);
+        compute(cell, points, stress_in(cell, displacements, material.eigenstrain, points), result);
       },
       [&](Index first, Index end, const std::vector<Result>& results) {
         for (Index cell = first; cell < end; ++cell) take(cell, results[at(cell - first)]);
@@ -134,38 +125,28 @@ Eigen::MatrixXd extrapolation(const Element& element, const StrainPoints& points
   return at_nodes * pseudo_inverse(at_points);
 }
 
-/// extrapolation() of triangles and of quadrilaterals, as far as there are some. They are made before
-/// threads begin, which then only read them.
-std::array<Eigen::MatrixXd, 2> extrapolations(const Cells& cells) {
-  std::array<Eigen::MatrixXd, 2> of_kind;
-  StrainPoints points;
-  for (Index number = 0; number < cells.count(); ++number) {
-    Eigen::MatrixXd& to_nodes = of_kind[cells.element(number).corners() == 3 ? 0 : 1];
-    if (to_nodes.size() > 0) continue;
-    const Cell cell = cells[number];
-    cell.element.strain(cell.body, points);
-    to_nodes = extrapolation(cell.element, points);
-  }
-  return of_kind;
-}
-
 }  // namespace
 
 /// The mean of what its cells say of a node, each cell as much as another. How many they are is counted
-/// on the way. A node that no cell has keeps its zeros.
+/// on the way. A node that no cell has keeps its zeros. The matrix of the fit is made by the thread
+/// that needs it first.
 StressArray nodal_stress(const Mesh& mesh, const Element& element, const MaterialField& material,
                          const NodeArray& displacements) {
   using AtNodes = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::ColMajor, max_cell_nodes, 4>;
   StressArray stress = StressArray::Zero(mesh.n_nodes(), 4);
   Eigen::VectorXd cells_at = Eigen::VectorXd::Zero(mesh.n_nodes());
-  const std::array<Eigen::MatrixXd, 2> of_kind = extrapolations(Cells(mesh, element, material));
+  std::array<Eigen::MatrixXd, 2> of_kind;  // triangles, quadrilaterals
+  std::array<std::once_flag, 2> made;
   visit_stresses<AtNodes>(
       mesh, element, material, displacements,
-      [&](const Cell& cell, const CellStress& found, AtNodes& at_nodes) {
-        const Eigen::MatrixXd& to_nodes = of_kind[cell.element.corners() == 3 ? 0 : 1];
+      [&](const Cell& cell, const StrainPoints& points, const PointStress& at_points,
+          AtNodes& at_nodes) {
+        const std::size_t kind = cell.element.corners() == 3 ? 0 : 1;
+        Eigen::MatrixXd& to_nodes = of_kind[kind];
+        std::call_once(made[kind], [&] { to_nodes = extrapolation(cell.element, points); });
         at_nodes.resize(to_nodes.rows(), 4);
         for (Index k = 0; k < at_nodes.rows(); ++k)
-          at_nodes.row(k) = to_nodes.row(k) * found.stress;
+          at_nodes.row(k) = to_nodes.row(k) * at_points;
       },
       [&](Index cell, const AtNodes& at_nodes) {
         for (Index k = 0; k < at_nodes.rows(); ++k) {
@@ -186,12 +167,13 @@ StressArray cell_stress(const Mesh& mesh, const Element& element, const Material
   StressArray stress = StressArray::Zero(mesh.n_cells(), 4);
   visit_stresses<Eigen::RowVector4d>(
       mesh, element, material, displacements,
-      [](const Cell&, const CellStress& found, Eigen::RowVector4d& mean) {
+      [](const Cell&, const StrainPoints& points, const PointStress& at_points,
+         Eigen::RowVector4d& mean) {
         double volume = 0;
         mean.setZero();
-        for (int i = 0; i < found.points.size; ++i) {
-          const double share = found.points.point[static_cast<std::size_t>(i)].volume;
-          mean += share * found.stress.row(i);
+        for (int i = 0; i < points.size; ++i) {
+          const double share = points.point[static_cast<std::size_t>(i)].volume;
+          mean += share * at_points.row(i);
           volume += share;
         }
         mean /= volume;

@@ -21,7 +21,8 @@
 #include <utility>
 
 #include "signorini/core/errors.hpp"
-#include "signorini/pairing/mortar_points.hpp"
+#include "signorini/pairing/mortar_segments.hpp"
+#include "signorini/pairing/pair_rows.hpp"
 
 namespace signorini {
 namespace {
@@ -52,25 +53,19 @@ void collect(const SourceEdge& edge, const EdgeSamples& samples, std::vector<Pai
 
 /// What the edges of a source have collected. Nodes stand for the numbers of pairs.
 struct Collected {
-  std::vector<std::vector<double>> cuts;  ///< of each side
   std::vector<PairPoint> points;
   std::map<Index, double> weights;
-  std::vector<SampledEdge> edges;  ///< if they are watched; refer to `cuts`
 };
 
 /// Edge by edge: cut it into segments, sample them, make the dual functions of what is covered, and
 /// collect.
 Collected sample(const Interface& interface, const GapOptions& options, int n_points) {
-  const bool cut = options.quadrature == Quadrature::Segments;
   Collected all;
-  all.cuts.resize(interface.sides.size());
-  if (cut) all.cuts = segment_cuts(interface);
-  for (std::size_t k = 0; k < all.cuts.size(); ++k)
-    for (const SourceEdge& edge : edges_of(interface.sides[k])) {
-      const EdgeSamples samples = sample_edge(edge, interface, all.cuts[k], n_points);
-      collect(edge, samples, all.points, all.weights);
-      if (options.watch && cut) all.edges.push_back({edge, samples, &all.cuts[k]});
-    }
+  std::vector<std::vector<double>> cuts(interface.sides.size());
+  if (options.quadrature == Quadrature::Segments) cuts = segment_cuts(interface);
+  for (std::size_t k = 0; k < cuts.size(); ++k)
+    for (const SourceEdge& edge : edges_of(interface.sides[k]))
+      collect(edge, sample_edge(edge, interface, cuts[k], n_points), all.points, all.weights);
   return all;
 }
 
@@ -112,7 +107,6 @@ Pairs mortar(const Surface& source, const Surface& target, const GapOptions& opt
   pairs.position = source.mesh.nodes(pairs.node, Eigen::all);
   pairs.weight = options.depth.factor * total;
   write_rows(interface, all.points, total, options, pairs);
-  if (options.watch) options.watch({interface, all.points, total, all.edges}, pairs);
   return pairs;
 }
 

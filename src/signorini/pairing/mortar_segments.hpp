@@ -35,13 +35,6 @@ struct EdgeSamples {
       0, 0};  ///< integrals of end_shape() over the whole edge, as EdgePoint counts it
 };
 
-/// An edge of the source and what it faces.
-struct SampledEdge {
-  SourceEdge edge;      ///< of the source
-  EdgeSamples samples;  ///< points of it, and what they face
-  const std::vector<double>* cuts;  ///< xi where its side was cut into segments
-};
-
 /// The edges of one side.
 /// \param side  of the source; must outlive them
 /// \return one, or two if it has three nodes

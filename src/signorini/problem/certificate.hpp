@@ -127,11 +127,12 @@ struct ClaimResiduals {
 /// \param programme  K, p, A, g as they were posed, slips in the last rows of A
 /// \param solution   u, and the forces of all rows
 /// \param law        of the frictional pairs
+/// \param known      known_matrices() of K, A and the law; null if they are not known
 /// \return the figures, see above
 /// \throws std::invalid_argument if sizes do not fit, the pairs of the law are not in increasing order, or a
 ///   coefficient or cohesion is negative or not finite
 [[nodiscard]] Certificate certify(const QuadraticProgramme& programme, const PrimalDual& solution,
-                                  const FrictionLaw& law);
+                                  const FrictionLaw& law, const KnownMatrices* known = nullptr);
 
 /// A condensed problem by its blocks, see ContactProblem.
 struct ProblemBlocks {

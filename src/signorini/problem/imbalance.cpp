@@ -49,8 +49,8 @@ VectorXd stretches(const QuadraticProgramme& programme, const VectorXd& own, boo
 // What every unknown has itself. Where contact holds everything, u is 0, and the rounding of how
 // far load and contact forces would move an unknown takes its place.
 VectorXd own_forces(const QuadraticProgramme& programme, const PrimalDual& solution,
-                    bool equations) {
-  const VectorXd root = programme.stiffness.diagonal().cwiseMax(0.0).cwiseSqrt();
+                    const VectorXd& diagonal, bool equations) {
+  const VectorXd root = diagonal.cwiseMax(0.0).cwiseSqrt();
   VectorXd own = programme.load.cwiseAbs();
   if (programme.reached.terms.size() > 0) own += programme.reached.terms;
   for (Index row = 0; row < programme.A.rows(); ++row)
@@ -121,8 +121,8 @@ double rebalanced(MatrixXd E, const VectorXd& own, VectorXd residual) {
 
 // Most programmes have no equations, and nothing is handed on.
 double own_imbalance(const QuadraticProgramme& programme, const PrimalDual& solution,
-                     const VectorXd& residual, Index equations) {
-  const VectorXd own = own_forces(programme, solution, equations > 0);
+                     const VectorXd& residual, const VectorXd& diagonal, Index equations) {
+  const VectorXd own = own_forces(programme, solution, diagonal, equations > 0);
   if (equations == 0) return largest(residual.cwiseQuotient(own));
   return rebalanced(MatrixXd(programme.A.topRows(equations).transpose()), own, residual);
 }

@@ -21,9 +21,11 @@ namespace signorini {
 /// \param programme  K, p, A, g
 /// \param solution   u and lambda
 /// \param residual   of the equilibrium `n` [force]
+/// \param diagonal   of K `n` [force/length]
 /// \param equations  so many of the first rows are
 /// \return the figure [-]
 [[nodiscard]] double own_imbalance(const QuadraticProgramme& programme, const PrimalDual& solution,
-                                   const Eigen::VectorXd& residual, Eigen::Index equations);
+                                   const Eigen::VectorXd& residual, const Eigen::VectorXd& diagonal,
+                                   Eigen::Index equations);
 
 }  // namespace signorini

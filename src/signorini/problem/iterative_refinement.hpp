@@ -35,6 +35,7 @@ struct RefinementData {
   std::function<Eigen::VectorXd(const Eigen::VectorXd& residual, const Eigen::VectorXd& force,
                                 const std::vector<Eigen::Index>& rows)>
       spread = {};
+  const KnownMatrices* known = nullptr;  ///< of `programme`; null if they are not known
 };
 
 /// What iterative_refinement() did.

@@ -30,6 +30,12 @@ struct QuadraticProgramme {
   Reached reached = {};                            ///< where u counts from
 };
 
+/// What the matrices of a programme say, whatever its load and gaps are: where many loads follow, it is found once.
+struct KnownMatrices {
+  Eigen::VectorXd diagonal;  ///< `n` of K [force/length]; empty: nothing is known
+  bool connected = false;  ///< all hangs together, even if entries of K that are rounding connect nothing
+};
+
 /// A quadratic programme with dense matrices, as in mathematical programming: the same least energy,
 /// where the first rows may be equations.
 ///

@@ -67,10 +67,11 @@ bool pushes_on_nothing(const QuadraticProgramme& programme, const VectorXd& norm
 // The largest load or net contact force. Without loads, contact forces can be so small beside K
 // that even u in two doubles cannot resolve them. Then the largest force that a displacement makes
 // takes their place.
-double force_size(const QuadraticProgramme& programme, const VectorXd& contact, const VectorXd& u) {
+double force_size(const QuadraticProgramme& programme, const VectorXd& diagonal,
+                  const VectorXd& contact, const VectorXd& u) {
   const double load = largest(programme.load);
   const double most = std::max(load, largest(contact));
-  const double inside = largest(programme.stiffness.diagonal().cwiseProduct(u));
+  const double inside = largest(diagonal.cwiseProduct(u));
   const double half = 0.5 * epsilon;  // what rounding takes of a number
   return load == 0 && most <= half * half * inside ? inside : most;
 }
@@ -81,8 +82,8 @@ double force_size(const QuadraticProgramme& programme, const VectorXd& contact, 
 // rounding too, the largest force takes their place. Where K is weak they would move it
 // much further than anything goes, so that way counts up to the largest u. If all of u is rounding of it, the nearest gap
 // that is not 0 is a length of the problem too: a claim of u = 0 must not measure that gap by a way that nothing goes.
-double length_of(const QuadraticProgramme& programme, const VectorXd& contact, const VectorXd& u,
-                 const VectorXd& unit) {
+double length_of(const QuadraticProgramme& programme, const VectorXd& diagonal,
+                 const VectorXd& contact, const VectorXd& u, const VectorXd& unit) {
   const double most = std::max(largest(programme.load), largest(contact));
   const double sum = largest(programme.load - contact);
   const bool rounding = sum <= static_cast<double>(contact.size()) * epsilon * most;
@@ -98,7 +99,7 @@ double length_of(const QuadraticProgramme& programme, const VectorXd& contact, c
   }
   // Without this bound a weight of 1 on a spring of 1e-20 would forgive every overlap: its way is 1e20, and a claim of
   // u = 0 is rounding of that.
-  const double way = ratio(rounding ? most : sum, largest(programme.stiffness.diagonal()));
+  const double way = ratio(rounding ? most : sum, largest(diagonal));
   const double far = largest(u);
   const bool at_rest = std::isfinite(way) && far <= epsilon * way;
   return std::max(length, std::min(way, at_rest ? std::max(far, nearest) : far));
@@ -110,8 +111,8 @@ double length_of(const QuadraticProgramme& programme, const VectorXd& contact, c
 //
 // Friction forces do work on given slips, and in the duality gap they count as loads.
 Certificate certificate_of(const QuadraticProgramme& programme, const PrimalDual& solution,
-                           const VectorXd& imbalance, const VectorXd& movement,
-                           const FrictionLaw& law, Index equations) {
+                           const VectorXd& diagonal, const VectorXd& imbalance,
+                           const VectorXd& movement, const FrictionLaw& law, Index equations) {
   const Index slips = static_cast<Index>(law.pair.size());
   VectorXd norm(programme.A.rows());
   for (Index row = 0; row < norm.size(); ++row) norm(row) = programme.A.row(row).norm();
@@ -126,13 +127,13 @@ Certificate certificate_of(const QuadraticProgramme& programme, const PrimalDual
   VectorXd u = solution.displacement;
   if (solution.displacement_low.size() > 0) u += solution.displacement_low;
   ClaimResiduals left{solution.force, movement, (norm.array() == 0).select(1.0, norm)};
-  left.force_size = force_size(programme, contact, u);
+  left.force_size = force_size(programme, diagonal, contact, u);
   const Reached& reached = programme.reached;
   if (reached.displacement.size() > 0) u = u.cwiseAbs() + reached.displacement.cwiseAbs();
-  left.length = length_of(programme, contact, u, left.unit);
+  left.length = length_of(programme, diagonal, contact, u, left.unit);
   left.equilibrium =
       std::max(ratio(largest(imbalance), std::max(left.force_size, largest(reached.terms))),
-               own_imbalance(programme, solution, imbalance, equations));
+               own_imbalance(programme, solution, imbalance, diagonal, equations));
   left.free = programme.initial_gap;
   left.load =
       programme.load - programme.A.bottomRows(slips).transpose() * solution.force.tail(slips);
@@ -165,14 +166,19 @@ VectorXd entries(const VectorXd& v, const std::vector<Index>& places) {
 // The residuals are computed once, of the whole. Each system then takes its entries of them, with
 // its own length and force, and the worst figures count. An entry of K up to
 // \f$ \varepsilon\sqrt{K_{ii}K_{jj}} \f$ connects nothing: it adds no more to any energy than
-// rounding does.
+// rounding does. Whether anything is unconnected, and the diagonal, may be known from the load before:
+// of a hundred loads on one scene the first asks, and for the others it is as true.
 Certificate certificate_of(const QuadraticProgramme& programme, const PrimalDual& solution,
-                           const FrictionLaw& law, Index equations) {
+                           const FrictionLaw& law, Index equations, const KnownMatrices* known) {
   const VectorXd imbalance = equilibrium_residual(programme, solution);
   const VectorXd movement = gaps(programme, solution);
-  const std::vector<SystemParts> systems = unconnected_systems(programme, law, {}, epsilon);
+  std::vector<SystemParts> systems;
+  if (known == nullptr || !known->connected)
+    systems = unconnected_systems(programme, law, {}, epsilon);
   if (systems.empty())
-    return certificate_of(programme, solution, imbalance, movement, law, equations);
+    return certificate_of(programme, solution,
+                          known != nullptr ? known->diagonal : VectorXd(programme.stiffness.diagonal()),
+                          imbalance, movement, law, equations);
   const VectorXd load = loads_of_systems(programme, solution, systems);
   const Index pairs = programme.A.rows() - static_cast<Index>(law.pair.size());
   Certificate worst;
@@ -185,7 +191,8 @@ Certificate certificate_of(const QuadraticProgramme& programme, const PrimalDual
                           entries(solution.displacement_low, unknowns),
                           entries(solution.force, rows), entries(solution.rigid, unknowns)};
     const auto own = std::lower_bound(rows.begin(), rows.end(), equations) - rows.begin();
-    worst = worst_of(worst, certificate_of(alone, part, imbalance(unknowns), movement(rows),
+    worst = worst_of(worst, certificate_of(alone, part, alone.stiffness.diagonal(),
+                                           imbalance(unknowns), movement(rows),
                                            part_of(law, pairs, parts), own));
   }
   return worst;
@@ -200,16 +207,16 @@ Certificate certify(const QuadraticProgramme& programme, const PrimalDual& solut
   require_argument(equations >= 0 && equations <= programme.initial_gap.size(),
                    "certify: equations must be 0 to ", programme.initial_gap.size(), ", got ",
                    equations);
-  return certificate_of(programme, solution, {}, equations);
+  return certificate_of(programme, solution, {}, equations, nullptr);
 }
 
 // With friction the last rows of A are slips, as many as the law has pairs.
 Certificate certify(const QuadraticProgramme& programme, const PrimalDual& solution,
-                    const FrictionLaw& law) {
+                    const FrictionLaw& law, const KnownMatrices* known) {
   check_sizes(programme, solution);
   const Index slips = static_cast<Index>(law.pair.size());
   check_law(law, programme.A.rows() - slips, slips);
-  return certificate_of(programme, solution, law, 0);
+  return certificate_of(programme, solution, law, 0, known);
 }
 
 }  // namespace signorini

@@ -17,6 +17,7 @@
 
 #include "signorini/core/disjoint_sets.hpp"
 #include "signorini/core/index.hpp"
+#include "signorini/core/rounding.hpp"
 
 namespace signorini {
 namespace {
@@ -142,6 +143,12 @@ std::vector<SystemParts> unconnected_systems(const QuadraticProgramme& programme
   for (Index j = 0; j < null_vectors.cols(); ++j)
     system_of(first_moved(null_vectors, j)).modes.push_back(j);
   return systems;
+}
+
+// A hundred loads on the same bodies ask the same question of the same matrices. Where everything
+// hangs together although rounding connects nothing, it does so with rounding and rigid motions, too.
+KnownMatrices known_matrices(const QuadraticProgramme& programme, const FrictionLaw& law) {
+  return {programme.stiffness.diagonal(), joined(programme, law, {}, epsilon).count() < 2};
 }
 
 // If everything hangs together, unconnected_systems() returns no list: the caller then takes the

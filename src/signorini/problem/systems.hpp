@@ -31,6 +31,12 @@ struct SystemParts {
                                                            const Eigen::SparseMatrix<double>& null_vectors,
                                                            double weak = 0);
 
+/// \param programme  K and A
+/// \param law        of the frictional pairs
+/// \return what they say: valid until K, the entries of A that are not 0, or the pairs of the law change
+[[nodiscard]] KnownMatrices known_matrices(const QuadraticProgramme& programme,
+                                           const FrictionLaw& law);
+
 /// \param programme  K, p, A, g
 /// \param modes      n_r
 /// \return all of it as one system

@@ -129,7 +129,8 @@ CondensedProgramme condensed_programme(const Condensed& condensed, Ledger& ledge
       [&condensed, counted](const std::vector<Index>& unknowns) {
         const std::optional<Factor::Part> part = condensed.factor.part(unknowns);
         return part ? Solve(counted(part->solve_operations, part->solve)) : Solve();
-      }};
+      },
+      condensed.known.diagonal.size() > 0 ? &condensed.known : nullptr};
 }
 
 }  // namespace signorini

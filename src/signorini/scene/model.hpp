@@ -67,7 +67,6 @@ struct Standing {
   NodeArray displacement;  ///< `n_nodes x 2` of all nodes, from the scene to there [length]
   NodeArray before;  ///< `n_nodes x 2` where the nodes stood at the end of the last step [length]
   NodeArray since;   ///< `n_nodes x 2` by how much they have moved since then [length]
-  PointWatch watch = {};  ///< see GapOptions
 };
 struct StepLoop;
 

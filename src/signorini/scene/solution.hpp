@@ -18,6 +18,7 @@ struct Condensed {
   Factor factor;                      ///< of K, or of K and one spring per rigid mode
   ContactProblem problem;             ///< F = A K^-1 A^T, d, s, the law, R and r
   Eigen::VectorXd free_displacement;  ///< u0 = K^-1 p `n` [length]
+  KnownMatrices known = {};  ///< of K, A and the law, where many loads follow that leave them as they are
 };
 
 /// Everything that is known at the end. Unless `contact.report.status` is Solved it is no solution: it then has

@@ -116,7 +116,7 @@ SignCheck RefinedSets::refine(const std::vector<ContactStatus>& of, const Vector
   amplitude += last.amplitude;
   SignCheck signs = check_signs(data, last, of);
   now = std::move(last.solution);
-  const Certificate certificate = certify(data.programme, now, data.condensed.law);
+  const Certificate certificate = certify(data.programme, now, data.condensed.law, data.known);
   if (signs.confirmed || !(end.certificate.worst() <= certificate.worst())) {
     end.certificate = certificate;
     end.solution = now;
@@ -150,7 +150,7 @@ RefinedEnd refined_solve(const QuadraticProgramme& programme, const CondensedPro
                          const SolverOptions& options, Ledger& ledger) {
   const ScaledProblem scaled = equilibrate(condensed.problem);
   const RefinementData data{programme, condensed.solve_stiffness, condensed.problem, scaled,
-                            null_vectors};
+                            null_vectors, {}, condensed.known};
   RefinedEnd end = claimed(data, condensed, solver, options, ledger);
   for (Solver (*const next)() : solver.others) {
     if (!lost(end.state) || options.iteration_limit > 0) break;

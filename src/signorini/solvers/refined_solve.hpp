@@ -22,6 +22,7 @@ struct CondensedProgramme {
   std::function<std::function<Eigen::VectorXd(const Eigen::VectorXd&)>(
       const std::vector<Eigen::Index>&)>
       solve_part = {};
+  const KnownMatrices* known = nullptr;  ///< of K, A and law; null if they are not known
 };
 
 /// Where a programme ended. Unless `state.report.status` is Solved, the numbers are those of the best set that could be
