@@ -2,9 +2,9 @@
 #include <array>
 #include <vector>
 
-#include "addons/certified/central_path.hpp"
 #include "addons/certified/many_bodies.hpp"
 #include "addons/certified/solve_with_proofs.hpp"
+#include "addons/many_bodies/central_path.hpp"
 #include "catch_compat.hpp"
 #include "papers/solver_table.hpp"
 #include "signorini/problem/active_set_system.hpp"

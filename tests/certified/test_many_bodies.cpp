@@ -1,7 +1,6 @@
 // Stacks of blocks that contact alone holds: by the entries that are there, and by the dense systems of the methods.
 #include "addons/certified/many_bodies.hpp"
 
-#include "addons/certified/pair_sweeps.hpp"
 #include "addons/certified/solve_with_proofs.hpp"
 #include "catch_compat.hpp"
 #include "signorini/core/rounding.hpp"
@@ -12,6 +11,7 @@
 #include "support/stack.hpp"
 
 using namespace signorini;
+using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using signorini_test::stack;
@@ -57,6 +57,61 @@ TEST_CASE("a stack of blocks by its few entries: the same forces after few sets"
   }
 }
 
+TEST_CASE("a stack is solved before anything is condensed, with the forces of the dense systems",
+          "[many_bodies]") {
+  for (const double friction : {0.0, 0.3}) {
+    Prepared scene(stack(26, friction));
+    CAPTURE(friction);
+    REQUIRE(solved_whole(scene.model));
+    const Condensed left = condense_as_needed(scene.model, scene.ledger);
+    CHECK(left.problem.compliance.size() == 0);
+    CHECK(left.problem.rigid.size() == 0);
+    const Solution whole = solve(scene.model, left, scene.ledger);
+    CHECK(whole.contact.report.status == SolveStatus::Solved);
+    CHECK(whole.certificate.worst() <= certificate_tolerance);
+    CHECK(whole.contact.report.iterations <= 10);
+    const Solution dense = solve(scene.model, scene.condensed, alone(), scene.ledger);
+    REQUIRE(dense.contact.report.status == SolveStatus::Solved);
+    const double force = dense.contact.force.maxCoeff();
+    CHECK((whole.refined.force - dense.refined.force).cwiseAbs().maxCoeff() <= 1e-10 * force);
+    // So are the amplitudes of rigid motions, beside the springs that ground K.
+    CHECK((whole.contact.amplitude - dense.contact.amplitude).cwiseAbs().maxCoeff() <=
+          1e-8 * dense.contact.amplitude.cwiseAbs().maxCoeff());
+    CHECK(whole.notes == dense.notes);
+    // Another method has its compliance, though it was left out.
+    CHECK(solve(scene.model, left, alone(), scene.ledger).refined.force == dense.refined.force);
+  }
+}
+
+TEST_CASE("few bodies, load steps and other methods are condensed", "[many_bodies]") {
+  const auto whole = [](Scene scene) { return solved_whole(plan(scene)); };
+  CHECK(whole(stack(26, 0)));
+  CHECK_FALSE(whole(stack(10, 0)));
+  Scene other = stack(26, 0);
+  other.solver = alone();
+  CHECK_FALSE(whole(other));
+}
+
+TEST_CASE("a load that lifts the top block is refused by the dense road, with its reason",
+          "[many_bodies]") {
+  Scene scene = stack(26, 0);
+  scene.bodies.back().loads.edges = {{"top", -1, {}}};
+  scene.bodies.back().loads.points.clear();
+  const Solution lifted = solve(scene);
+  CHECK(lifted.contact.report.status == SolveStatus::Infeasible);
+  CHECK_THAT(lifted.unbounded_direction, ContainsSubstring("block 25"));
+  // Where the dense road would be too long, the end says so.
+  Ledger ledger;
+  const Model model = build(scene, ledger);
+  const Index rows = model.programme.A.rows();
+  const Condensed left = condense_as_needed(model, ledger);
+  CHECK_FALSE(whole_solution(model, left, ledger, rows).has_value());
+  const std::optional<CertifiedSolution> lost = whole_solution(model, left, ledger, rows - 1);
+  REQUIRE(lost.has_value());
+  CHECK(lost->state.report.status == SolveStatus::Breakdown);
+  CHECK_THAT(lost->state.reason, ContainsSubstring(std::to_string(rows) + " rows"));
+}
+
 TEST_CASE("the condensed problem of a stack has the same forces", "[many_bodies]") {
   for (const double friction : {0.0, 0.3}) {
     Prepared scene(stack(26, friction));
@@ -97,38 +152,4 @@ TEST_CASE("few bodies and methods that were asked for are left alone", "[many_bo
   CHECK_FALSE(many_bodies(many_motions - 1, primal_dual_active_set(), {}));
   CHECK_FALSE(many_bodies(many_motions, primal_dual_active_set(), limited));
   CHECK_FALSE(many_bodies(many_motions, alone(), {}));
-}
-
-TEST_CASE("a pair alone is open, sticks or slides as its equations say", "[many_bodies]") {
-  // F = (2, 0.5; 0.5, 1): what it does without forces decides.
-  const auto force = [](double gap, double slip, double mu, double cohesion = 0) {
-    return lone_pair_force({gap, slip, 2, 0.5, 0.5, 1, mu, cohesion});
-  };
-  CHECK(force(0.1, 3, 0.5).isZero(0));
-  // Closed without slip: 2 l + 0.5 t = 4, 0.5 l + t = 1 gives l = 2, t = 0.
-  CHECK((force(-4, -1, 0.5) - Eigen::Vector2d(2, 0)).norm() <= 4 * epsilon);
-  // Forward, t = -l/2: 2 l - l/4 = 3.5, and the slip is 5 + 1 - 1.
-  CHECK((force(-3.5, 5, 0.5) - Eigen::Vector2d(2, -1)).norm() <= 4 * epsilon);
-  // Backward, t = l/2: 2 l + l/4 = 4.5, and the slip is -5 + 1 + 1.
-  CHECK((force(-4.5, -5, 0.5) - Eigen::Vector2d(2, 1)).norm() <= 4 * epsilon);
-  // With cohesion alone the bound is given: t = -1, 2 l - 0.5 = 3.5.
-  CHECK((force(-3.5, 5, 0, 1) - Eigen::Vector2d(2, -1)).norm() <= 4 * epsilon);
-}
-
-TEST_CASE("sweeps over coupled pairs end at a solution", "[many_bodies]") {
-  // Two pairs, the second without friction: rows are two gaps and the slip of the first.
-  ContactProblem problem;
-  problem.compliance.resize(3, 3);
-  problem.compliance << 2, 0.5, 0.2, 0.5, 1, 0.1, 0.2, 0.1, 1;
-  problem.free_gap = Eigen::Vector2d(-1, -0.5);
-  problem.free_slip = VectorXd::Constant(1, 0.4);
-  problem.law = {{0}, VectorXd::Constant(1, 0.3), VectorXd::Zero(1)};
-  VectorXd force = VectorXd::Zero(3);
-  // Each sweep leaves less than half: fifty leave a rounding.
-  sweep_pairs(problem.compliance.sparseView(), free_movement(problem), problem.law, 50, force);
-  const VectorXd movement = free_movement(problem) + problem.compliance * force;
-  ContactState state;
-  fill_state(problem.law, {ContactStatus::SlipForward, ContactStatus::Stick}, force, movement, state);
-  CHECK(certify(problem, state).worst() <= 16 * epsilon);
-  CHECK(force(2) == Approx(-0.3 * force(0)).epsilon(4 * epsilon));
 }

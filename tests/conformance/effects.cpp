@@ -48,7 +48,7 @@ std::map<std::string, Numbers> contents(const Model& model) {
   append(all["pairs"], model.pairs.opening);
   append(all["sliding"], model.pairs.sliding);
   all["modes"];
-  for (const FreeMotion& mode : model.modes) append(all["modes"], mode.shape);
+  for (const FreeMotion& mode : model.modes) append(all["modes"], Eigen::VectorXd(mode.shape));
   all["law"].assign(model.law.pair.begin(), model.law.pair.end());
   append(all["law"], model.law.coefficient);
   append(all["law"], model.law.cohesion);

@@ -1,5 +1,7 @@
 // Pairs of several contacts, one below the other.
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "catch_compat.hpp"
 #include "signorini/contact/gaps.hpp"
@@ -52,6 +54,37 @@ TEST_CASE(
   const Gaps twice = stacked(full, full);
   CHECK(twice.pairs.initial_gap.size() == 10);
   CHECK(twice.A.bottomRows(5).isApprox(full.A));
+}
+
+TEST_CASE("any number of contacts is stacked in their order", "[gaps]") {
+  const Gaps full = five_gaps();
+  for (const int contacts : {1, 2, 3, 7}) {
+    std::vector<Gaps> all;
+    Gaps one_by_one = full;
+    for (int k = 0; k < contacts; ++k) {
+      all.push_back(full);
+      all.back().pairs.initial_gap.array() += k;
+      one_by_one = k == 0 ? all.back() : stacked(one_by_one, all.back());
+    }
+    const Gaps together = stacked(std::move(all));
+    CAPTURE(contacts);
+    CHECK(together.pairs.initial_gap == one_by_one.pairs.initial_gap);
+    CHECK(together.pairs.node == one_by_one.pairs.node);
+    CHECK((Eigen::MatrixXd(together.A) - Eigen::MatrixXd(one_by_one.A)).norm() == 0);
+  }
+}
+
+TEST_CASE("rows are the same matrix in whatever order their entries come", "[gaps]") {
+  using Entries = std::vector<Eigen::Triplet<double>>;
+  const NodalRows rows = rows_of(Entries{{2, 1, 4}, {0, 3, 1}, {2, 0, 3}, {0, 3, 0.5}}, 4, 1000);
+  CHECK(rows.rows() == 4);
+  CHECK(rows.cols() == 1000);
+  CHECK(rows.nonZeros() == 3);
+  CHECK(rows.coeff(0, 3) == 1.5);
+  CHECK(rows.coeff(2, 0) == 3);
+  CHECK(rows.coeff(2, 1) == 4);
+  CHECK(rows.isCompressed());
+  CHECK(rows_of({}, 2, 5).nonZeros() == 0);
 }
 
 TEST_CASE(

@@ -37,8 +37,8 @@ TEST_CASE("a body of revolution can move along its axis and no other way", "[fre
   CHECK_THAT(in_words(free[0]), ContainsSubstring("move freely in direction y"));
   const Unknowns unknowns = number_unknowns(tube, {}, PlaneState::Axial);
   for (Eigen::Index node = 0; node < tube.n_nodes(); ++node) {
-    CHECK(free[0].shape(unknowns.number(node, 0)) == 0);
-    CHECK(free[0].shape(unknowns.number(node, 1)) == 1);
+    CHECK(free[0].shape.coeff(unknowns.number(node, 0)) == 0);
+    CHECK(free[0].shape.coeff(unknowns.number(node, 1)) == 1);
   }
   CHECK(motions({prescribed("left", Axis::X, 0)}).size() == 1);
   CHECK(motions({symmetric("bottom")}).empty());
@@ -144,8 +144,8 @@ TEST_CASE("a node straight below the pivot does not move up or down", "[free_mot
                                                      prescribed_at("top", {x, 1.5}, Axis::Y)});
     const std::vector<FreeMotion> motions = free_motions(mesh, unknowns);
     REQUIRE(motions.size() == 1);
-    CHECK(motions[0].shape.cwiseAbs().maxCoeff() > 0.1);
-    CHECK(motions[0].shape(unknowns.number(0, 1)) == 0);
+    CHECK(motions[0].shape.coeffs().abs().maxCoeff() > 0.1);
+    CHECK(motions[0].shape.coeff(unknowns.number(0, 1)) == 0);
   }
 }
 
@@ -213,7 +213,7 @@ TEST_CASE(
           });
           const std::vector<FreeMotion> motions = free_motions(mesh, unknowns);
           CHECK(motions.size() == held.left);
-          for (const FreeMotion& motion : motions) CHECK(motion.shape.cwiseAbs().maxCoeff() > 0.1);
+          for (const FreeMotion& motion : motions) CHECK(motion.shape.coeffs().abs().maxCoeff() > 0.1);
         }
 }
 

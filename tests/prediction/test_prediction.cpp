@@ -180,6 +180,9 @@ TEST_CASE("many bodies are predicted by their entries", "[prediction]") {
   for (const char* what : {"solves", "operations"})
     CHECK(prediction.amount("refinement", what) ==
           static_cast<double>(solution.ledger.counted("refinement", what)));
+  CHECK(prediction.amount("condensation", "bytes") == 0);
+  CHECK(prediction.amount("condensation", "operations") ==
+        static_cast<double>(solution.ledger.counted("condensation", "operations")));
 }
 
 TEST_CASE("the figures that are said to be exact are so whatever effect is on", "[prediction]") {

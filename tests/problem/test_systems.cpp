@@ -50,7 +50,7 @@ TEST_CASE("unknowns are one system where K, a row, a mode or a pair joins them",
   MatrixXd mode = MatrixXd::Zero(5, 2);
   mode(4, 0) = 1;
   mode(1, 1) = mode(2, 1) = 1;
-  const std::vector<SystemParts> joined = unconnected_systems(programme, law, mode);
+  const std::vector<SystemParts> joined = unconnected_systems(programme, law, mode.sparseView());
   REQUIRE(joined.size() == 2);
   CHECK(joined[1].unknowns == Numbers{1, 2, 4});
   CHECK(joined[1].modes == Numbers{0, 1});

@@ -26,7 +26,8 @@ TEST_CASE("a motion is held or not in whatever unit it is written", "[scene][flo
     for (int k = 0; k < 3; ++k) {
       modes[static_cast<std::size_t>(k)].body = std::to_string(k);
       modes[static_cast<std::size_t>(k)].motion = Eigen::Vector3d::UnitX();
-      modes[static_cast<std::size_t>(k)].shape = Eigen::Vector3d::Unit(k);
+      modes[static_cast<std::size_t>(k)].shape =
+          Eigen::VectorXd(Eigen::Vector3d::Unit(k)).sparseView();
     }
     modes[1].shape *= unit;
     CHECK(motions_without_contact(A, modes) ==

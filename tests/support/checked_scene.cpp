@@ -196,7 +196,7 @@ void Checked::look_at_rigid_motions() {
     for (const FreeMotion& mode : model_.modes) {
       moved.push_back(0);
       for (NodalRows::InnerIterator it(given_.A, row); it; ++it)
-        moved.back() += it.value() * Wide(mode.shape(it.col())) / norm_[at(row)];
+        moved.back() += it.value() * Wide(mode.shape.coeff(it.col())) / norm_[at(row)];
     }
     for (const Wides& known : basis) {
       Wide along = 0;

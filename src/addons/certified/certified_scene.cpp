@@ -6,6 +6,7 @@
 
 #include "addons/certified/certified_solve.hpp"
 #include "addons/certified/end_words.hpp"
+#include "addons/certified/many_bodies.hpp"
 #include "addons/certified/proofs.hpp"
 #include "addons/certified/working_set.hpp"
 #include "signorini/core/index.hpp"
@@ -29,12 +30,12 @@ VectorXd no_forces(const Model& model, const PrimalDual& refined, const KnownMat
   const VectorXd rounding =
       row * epsilon * (programme.stiffness.cwiseAbs() * strained(refined).cwiseAbs());
   const auto along = [&](Index mode) {
-    const VectorXd shape = model.modes[at(mode)].shape.cwiseAbs();
-    return shape.dot(rounding) / largest(shape);
+    const Eigen::SparseVector<double> shape = model.modes[at(mode)].shape.cwiseAbs();
+    return shape.dot(rounding) / shape.coeffs().maxCoeff();
   };
   std::vector<SystemParts> systems;
   if (!known.connected)
-    systems = unconnected_systems(programme, model.law, mode_shapes(model.modes));
+    systems = unconnected_systems(programme, model.law, mode_entries(model.modes));
   if (systems.empty()) systems = {whole_system(programme, static_cast<Index>(model.modes.size()))};
   VectorXd none(force.size());
   for (const SystemParts& parts : systems) {
@@ -91,7 +92,11 @@ Solution certified_solve(const Model& model, const Condensed& condensed, const S
                          Ledger ledger, const SolverOptions& options) {
   std::optional<CertifiedSolution> few;
   if (!is_complete(condensed)) {
-    few = working_set_solution(model, condensed, solver, options, ledger);
+    const bool many =
+        solved_whole(model) &&
+        many_bodies(static_cast<Index>(model.modes.size()), solver, options);
+    few = many ? whole_solution(model, condensed, ledger)
+               : working_set_solution(model, condensed, solver, options, ledger);
     if (!few) {
       const Condensed whole = completed(model, condensed, ledger);
       return certified_solve(model, whole, solver, std::move(ledger), options);
@@ -113,6 +118,10 @@ Solution certified_solve(const Model& model, const Condensed& condensed, const S
   return solution;
 }
 
-void register_certified() { set_solve(certified_solve, leaves_to_working_set); }
+void register_certified() {
+  set_solve(certified_solve, [](const Model& model, const Factor& factor) {
+    return solved_whole(model) || leaves_to_working_set(model, factor);
+  });
+}
 
 }  // namespace signorini

@@ -160,7 +160,7 @@ CertifiedSolution certified_solve(const QuadraticProgramme& programme,
   const bool connected = condensed.known != nullptr && condensed.known->connected;
   const std::vector<SystemParts> systems =
       connected ? std::vector<SystemParts>()
-                : unconnected_systems(programme, condensed.problem.law, null_vectors);
+                : unconnected_systems(programme, condensed.problem.law, null_vectors.sparseView());
   if (!systems.empty())
     return separate_solutions(programme, condensed, null_vectors, systems, solver, options, ledger);
   if (many_bodies(null_vectors.cols(), solver, options))

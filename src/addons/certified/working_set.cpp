@@ -186,6 +186,7 @@ Condensed completed(const Model& model, Condensed condensed, Ledger& ledger) {
   Eigen::MatrixXd& compliance = condensed.problem.compliance;
   compliance = condensed.factor.compliance(model.programme.A, ledger);
   ledger.bytes(compliance.size() * static_cast<long long>(sizeof(double)));
+  move_freely(model, condensed.free_displacement, condensed);  // rigid motions had been left, too
   return condensed;
 }
 

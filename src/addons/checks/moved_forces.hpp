@@ -20,8 +20,8 @@ struct PairForces {
 
 /// \param opening  `n_c x 2 n_nodes`, as in Pairs
 /// \param forces   of its pairs
-/// \return `2 n_nodes` what they do to the nodes [force]
-[[nodiscard]] Eigen::VectorXd on_nodes(const NodalRows& opening, const PairForces& forces);
+/// \return `2 n_nodes` what they do to the nodes [force], entries of their own nodes only
+[[nodiscard]] Eigen::SparseVector<double> on_nodes(const NodalRows& opening, const PairForces& forces);
 
 /// Solves the contact problem where the bodies have moved to, linearised there: one step of Newton's method. Pairs that face
 /// nothing there are far open.

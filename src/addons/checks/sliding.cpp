@@ -18,19 +18,41 @@ using Eigen::Index;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
 
-PairForces of_contact(PairForces forces, const std::vector<std::size_t>& contact_of,
-                      std::size_t contact) {
-  for (std::size_t pair = 0; pair < contact_of.size(); ++pair)
-    if (contact_of[pair] != contact)
-      forces.normal(static_cast<Index>(pair)) = forces.shear(static_cast<Index>(pair)) = 0;
-  return forces;
-}
+/// What the pairs of one contact do to the nodes of all bodies, x and y of each [force]: of many bodies, to two of them.
+using NodalForces = Eigen::SparseVector<double>;
 
 /// Sum of forces on the nodes of a body.
-/// \param forces  on the nodes of all bodies, x and y of each [force]
-Vector2d resultant(const BodyModel& body, const VectorXd& forces) {
-  const Eigen::Map<const NodeArray> all(forces.data(), forces.size() / 2, 2);
-  return sum_of_forces(body, all.middleRows(body.first_node, body.mesh.n_nodes()));
+Vector2d resultant(const BodyModel& body, const NodalForces& forces) {
+  NodeArray own = NodeArray::Zero(body.mesh.n_nodes(), 2);
+  for (NodalForces::InnerIterator it(forces); it; ++it) {
+    const Index node = it.index() / 2 - body.first_node;
+    if (node >= 0 && node < own.rows()) own(node, it.index() % 2) = it.value();
+  }
+  return sum_of_forces(body, own);
+}
+
+/// \return magnitudes of all entries, summed [force]
+double size_of(const NodalForces& forces) { return forces.cwiseAbs().sum(); }
+
+/// The pairs of each contact.
+std::vector<std::vector<Index>> pairs_of(const std::vector<std::size_t>& contact_of,
+                                         std::size_t contacts) {
+  std::vector<std::vector<Index>> pairs(contacts);
+  for (std::size_t pair = 0; pair < contact_of.size(); ++pair)
+    pairs[contact_of[pair]].push_back(static_cast<Index>(pair));
+  return pairs;
+}
+
+/// Forces of some pairs, and what they do.
+struct ContactForces {
+  double normal;
+  NodalForces nodal;
+};
+
+ContactForces some_forces(const NodalRows& opening, const PairForces& forces,
+                          const std::vector<Index>& pairs) {
+  const PairForces own{forces.normal(pairs), forces.shear(pairs)};
+  return {own.normal.sum(), on_nodes(selected_rows(opening, pairs), own)};
 }
 
 /// By how much gaps are larger there than the linear ones. A node stands for half of the edges beside it: one that has
@@ -82,22 +104,22 @@ class Comparison {
         now_(pair_forces(now)),
         status_(now.report.status),
         rows_(below(there.opening, there.fresh)),
-        contact_of_(model.contact_of) {
-    contact_of_.insert(contact_of_.end(), there.fresh_contact.begin(), there.fresh_contact.end());
+        old_pairs_(pairs_of(model.contact_of, model.contacts.size())) {
+    std::vector<std::size_t> contact_of = model.contact_of;
+    contact_of.insert(contact_of.end(), there.fresh_contact.begin(), there.fresh_contact.end());
+    now_pairs_ = pairs_of(contact_of, model.contacts.size());
   }
 
   void tell(std::size_t contact, SlidingChange& one) const {
     const BodyModel& source = model_.bodies[model_.contact_bodies[contact].source];
-    const PairForces before = of_contact(old_, model_.contact_of, contact);
-    const VectorXd nodal = on_nodes(model_.pairs.opening, before);
+    const ContactForces before = some_forces(model_.pairs.opening, old_, old_pairs_[contact]);
     one.lost = there_.lost[contact];
-    one.normal = before.normal.sum();
-    one.force = resultant(source, nodal);
+    one.normal = before.normal;
+    one.force = resultant(source, before.nodal);
     if (status_ == SolveStatus::Solved) {
-      const PairForces after = of_contact(now_, contact_of_, contact);
-      const VectorXd new_nodal = on_nodes(rows_, after);
-      one.new_force = resultant(source, new_nodal);
-      compare(nodal, new_nodal, after.normal.sum(), one);
+      const ContactForces after = some_forces(rows_, now_, now_pairs_[contact]);
+      one.new_force = resultant(source, after.nodal);
+      compare(before.nodal, after.nodal, after.normal, one);
     } else {
       // Only a proof that nothing balances the loads is a change.
       if (status_ == SolveStatus::Infeasible) one.change = std::numeric_limits<double>::infinity();
@@ -106,13 +128,13 @@ class Comparison {
   }
 
  private:
-  static void compare(const VectorXd& before, const VectorXd& after, double new_normal,
+  static void compare(const NodalForces& before, const NodalForces& after, double new_normal,
                       SlidingChange& one) {
     const double most = std::max(one.normal, new_normal);
     if (most > 0) {
       const double turned = (*one.new_force - one.force).norm();
       one.change = std::max(turned, std::abs(new_normal - one.normal)) / one.normal;
-      one.elsewhere = (after - before).lpNorm<1>() / (before.lpNorm<1>() + after.lpNorm<1>());
+      one.elsewhere = size_of(after - before) / (size_of(before) + size_of(after));
     }
     one.normal = most;
   }
@@ -123,7 +145,7 @@ class Comparison {
   PairForces now_;
   SolveStatus status_;
   NodalRows rows_;
-  std::vector<std::size_t> contact_of_;
+  std::vector<std::vector<Index>> old_pairs_, now_pairs_;
 };
 
 }  // namespace

@@ -40,12 +40,13 @@ void note_soft_springs(const BodyModel& body, Model& model) {
   for (const FreeMotion& motion :
        free_motions(body.mesh, body.pieces, body.unknowns, body.material.base.state)) {
     Eigen::VectorXd moves = Eigen::VectorXd::Zero(programme.load.size());
-    moves.segment(body.first_unknown, motion.shape.size()) = motion.shape.cwiseAbs();
+    const Eigen::VectorXd shape = motion.shape;
+    moves.segment(body.first_unknown, shape.size()) = shape.cwiseAbs();
     const double rounding = epsilon * moves.dot(programme.stiffness.cwiseAbs() * moves);
     Eigen::VectorXd nodes = Eigen::VectorXd::Zero(body.springs.cols());
     for (Index k = 0; k < nodes.size(); ++k)
       if (const Index own = body.unknowns.number(k / 2, k % 2); own >= 0)
-        nodes(k) = motion.shape(own);
+        nodes(k) = shape(own);
     const double resisted = nodes.dot(body.springs * nodes);
     if (resisted > 0 && rounding > 1e-8 * resisted)
       model.notes.push_back(

@@ -13,6 +13,7 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+using SparseVector = Eigen::SparseVector<double>;
 
 /// A share of a motion that is no more than this is rounding.
 constexpr double rounded = 1e-10;
@@ -27,13 +28,13 @@ FreeMotion combined_motion(const std::vector<FreeMotion>& modes, const VectorXd&
     if (std::find(bodies.begin(), bodies.end(), one.body) == bodies.end()) bodies.push_back(one.body);
     if (bodies.size() == 1) {
       const Eigen::Vector3d sum = whole.motion + amplitude(k) * one.motion;
-      const VectorXd shape = whole.shape;
+      const SparseVector shape = whole.shape;
       whole = one;
       whole.motion = sum;
       whole.shape = shape;
     }
-    if (whole.shape.size() == 0) whole.shape = VectorXd::Zero(one.shape.size());
-    whole.shape += amplitude(k) * one.shape;
+    if (whole.shape.size() == 0) whole.shape.resize(one.shape.size());
+    whole.shape = SparseVector(whole.shape + amplitude(k) * one.shape);
   }
   for (std::size_t b = 1; b < bodies.size(); ++b) whole.body += " and " + bodies[b];
   return whole;
@@ -63,8 +64,10 @@ std::vector<FreeMotion> motions_left(std::vector<FreeMotion> modes, const NodalR
     amplitude(k) = 1;
     amplitude = (amplitude.array().abs() <= rounded).select(0, amplitude);
     left.push_back(combined_motion(modes, amplitude));
-    const VectorXd given = solved.by * left.back().shape;
-    left.back().shape(solved.unknown) = given;
+    VectorXd shape = left.back().shape;
+    const VectorXd given = solved.by * shape;
+    shape(solved.unknown) = given;
+    left.back().shape = shape.sparseView();
   }
   return left;
 }

@@ -16,7 +16,7 @@ std::vector<SystemParts> systems_of(const Plan& plan, Pattern& known) {
   pattern.stiffness.coeffs().setOnes();
   pattern.load.setZero(pattern.stiffness.cols());
   std::vector<SystemParts> systems =
-      unconnected_systems(pattern, plan.law, mode_shapes(plan.modes));
+      unconnected_systems(pattern, plan.law, mode_entries(plan.modes));
   if (systems.empty()) systems = {whole_system(pattern, static_cast<Index>(plan.modes.size()))};
   pattern.stiffness.swap(known.stiffness);
   pattern.A.swap(known.rows);

@@ -41,7 +41,9 @@ std::string method_of(const Plan& plan) {
   const Solver& solver = plan.solver;
   std::string why =
       text("solver ", solver.name, is_default(solver) ? ", the default," : ", as asked for,",
-           " on the condensed problem (", solver.summary, ")");
+           solved_whole(plan) ? " by the entries of K and A, without a condensed problem ("
+                              : " on the condensed problem (",
+           solver.summary, ")");
   if (!plan.law.pair.empty()) why += "; it takes friction";
   if (!plan.modes.empty())
     why += text("; ", plan.modes.size(),
@@ -151,6 +153,11 @@ class Figures {
     const Certainty of_rows = few_ ? Certainty::Estimate : of_factor_;
     add(Frequency::PerStep, phase, "operations of one solve", known_.fronts.solve_operations(),
         of_factor_);
+    if (solved_whole(plan_)) {  // by its entries: u0 is all that is made
+      add(Frequency::Once, phase, "operations", known_.fronts.solve_operations(), of_factor_);
+      seconds(Frequency::Once, phase, solve());
+      return;
+    }
     add(Frequency::Once, phase, "operations",
         known_.fronts.solve_operations() + known_.paths.operations, of_rows);
     add(Frequency::Once, phase, "bytes", number * rows_ * rows_,
@@ -169,7 +176,8 @@ class Figures {
 
   /// Whether the system is solved by its entries: then no dense factor is made of it.
   [[nodiscard]] bool few_entries(const SystemParts& system) const {
-    return many_bodies(static_cast<Index>(system.modes.size()), plan_.solver, {});
+    return solved_whole(plan_) ||
+           many_bodies(static_cast<Index>(system.modes.size()), plan_.solver, {});
   }
   /// Seconds of a set by its entries: a factor with pivots and sweeps with exact residuals took 89 to 97 times a residual on
   /// stacks of 100 to 1000 blocks.

@@ -53,6 +53,14 @@ struct Gaps {
 /// \return `k x n`, in the order of `kept`
 [[nodiscard]] NodalRows selected_rows(const NodalRows& rows, const std::vector<Eigen::Index>& kept);
 
+/// A matrix of a few rows, whatever its length.
+/// \param entries  in any order; those in one place add up
+/// \param rows     number of rows
+/// \param columns  number of columns
+/// \return `rows x columns`
+[[nodiscard]] NodalRows rows_of(std::vector<Eigen::Triplet<double>> entries, Eigen::Index rows,
+                                Eigen::Index columns);
+
 /// Puts the rows of two matrices below each other.
 /// \param upper  `m_1 x n`
 /// \param lower  `m_2 x n`
@@ -64,5 +72,8 @@ struct Gaps {
 /// \param lower  `n_2` pairs of as many unknowns; also none
 /// \return `n_1 + n_2` pairs, and the unpaired nodes of both
 [[nodiscard]] Gaps stacked(const Gaps& upper, const Gaps& lower);
+
+/// The same of any number, in this order. \param contacts  at least one \return all their pairs
+[[nodiscard]] Gaps stacked(std::vector<Gaps> contacts);
 
 }  // namespace signorini

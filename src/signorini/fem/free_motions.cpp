@@ -163,7 +163,7 @@ std::vector<FreeMotion> free_motions(const Mesh& mesh, const std::vector<MeshPie
       free.motion = motion;
       free.centre = body.centre;
       free.size = body.size;
-      free.shape.setZero(unknowns.count);
+      Eigen::VectorXd shape = Eigen::VectorXd::Zero(unknowns.count);
       for (std::size_t k = 0; k < body.nodes.size(); ++k) {
         const Index node = body.nodes[k];
         const Eigen::Vector2d arm = body.arms.row(static_cast<Index>(k)).transpose();
@@ -175,9 +175,10 @@ std::vector<FreeMotion> free_motions(const Mesh& mesh, const std::vector<MeshPie
           // A node straight above the pivot does not move sideways, whatever rounding makes of it.
           const bool still =
               std::abs(moves) <= 64 * epsilon * (std::abs(motion(axis)) + std::abs(turns(axis)));
-          free.shape(unknown) = still ? 0 : moves;
+          shape(unknown) = still ? 0 : moves;
         }
       }
+      free.shape = shape.sparseView();
       found.push_back(std::move(free));
     }
   }

@@ -8,6 +8,7 @@
 /// rotation.
 #pragma once
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,8 @@ struct FreeMotion {
   Eigen::Vector3d motion = Eigen::Vector3d::Zero();
   Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< (x0, y0) of the body [length]
   double size = 1;                                   ///< diagonal of the box around it [length]
-  Eigen::VectorXd shape;  ///< `n` displacement of each unknown, at most about 1 [-]
+  /// `n` displacement of each unknown, at most about 1 [-]: entries of the body alone
+  Eigen::SparseVector<double> shape;
   double directions =
       0;  ///< one rounding of the directions that it goes in, see direction_rounding()
 };

@@ -14,6 +14,10 @@
 
 #include "signorini/pairing/pair_rows.hpp"
 
+#include <utility>
+
+#include "signorini/contact/gaps.hpp"
+
 namespace signorini {
 namespace {
 
@@ -46,10 +50,9 @@ void act_and_react(const Interface& interface, const PairPoint& point, const Vec
 
 /// Division by the total turns sums into means. Gaps are lengths then, whatever the size of the
 /// mesh.
-void write_matrix(const Entries& entries, const Eigen::VectorXd& total, Index columns,
+void write_matrix(Entries entries, const Eigen::VectorXd& total, Index columns,
                   NodalRows& matrix) {
-  matrix.resize(total.size(), columns);
-  matrix.setFromTriplets(entries.begin(), entries.end());
+  matrix = rows_of(std::move(entries), total.size(), columns);
   for (Index row = 0; row < total.size(); ++row) matrix.row(row) /= total(row);
 }
 
@@ -116,8 +119,8 @@ void write_rows(const Interface& interface, const std::vector<PairPoint>& points
     if (options.sliding) act_and_react(interface, point, {n.y(), -n.x()}, sliding);
     if (moved) pairs.slid(point.pair) += share * slid(interface, point, *options.before);
   }
-  write_matrix(opening, total, 2 * options.n_nodes, pairs.opening);
-  write_matrix(sliding, total, 2 * options.n_nodes, pairs.sliding);
+  write_matrix(std::move(opening), total, 2 * options.n_nodes, pairs.opening);
+  write_matrix(std::move(sliding), total, 2 * options.n_nodes, pairs.sliding);
 }
 
 }  // namespace signorini

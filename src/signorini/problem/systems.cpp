@@ -24,6 +24,7 @@ namespace {
 
 using Eigen::Index;
 using RowMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+using SparseMatrix = Eigen::SparseMatrix<double>;
 
 // A system lists its unknowns in increasing order. Their number in the system is found by
 // bisection. A table would be as long as the whole, and each of many small systems would need one.
@@ -40,6 +41,13 @@ Index first_unknown(const RowMatrix& A, Index row) {
   for (RowMatrix::InnerIterator entry(A, row); entry; ++entry)
     if (entry.value() != 0) return entry.col();
   return -1;
+}
+
+// The first unknown that a rigid motion moves stands for the motion.
+Index first_moved(const SparseMatrix& null_vectors, Index mode) {
+  for (SparseMatrix::InnerIterator it(null_vectors, mode); it; ++it)
+    if (it.value() != 0) return it.row();
+  return 0;
 }
 
 // Entries of K above the diagonal join. Looking at all of them takes time on a large mesh. On most
@@ -65,7 +73,7 @@ void join_columns(const Eigen::SparseMatrix<double>& K, const Eigen::VectorXd& r
 // settle it. Of the six unknowns of the example, each of the three bodies needs one step of the
 // first loop. The gap then joins {1, 2} with {3, 4}, and 6 sets have become 2.
 DisjointSets joined(const QuadraticProgramme& programme, const FrictionLaw& law,
-                    const Eigen::MatrixXd& null_vectors, double weak) {
+                    const SparseMatrix& null_vectors, double weak) {
   const Index n = programme.load.size();
   const Eigen::VectorXd root =
       Eigen::VectorXd(programme.stiffness.diagonal()).cwiseMax(0).cwiseSqrt();
@@ -87,12 +95,9 @@ DisjointSets joined(const QuadraticProgramme& programme, const FrictionLaw& law,
   }
   // A rigid motion has one amplitude, which all that move with it share.
   for (Index j = 0; j < null_vectors.cols() && sets.count() > 1; ++j) {
-    Index first = -1;
-    for (Index i = 0; i < n; ++i) {
-      if (null_vectors(i, j) == 0) continue;
-      if (first < 0) first = i;
-      sets.join(first, i);
-    }
+    const Index first = first_moved(null_vectors, j);
+    for (SparseMatrix::InnerIterator it(null_vectors, j); it; ++it)
+      if (it.value() != 0) sets.join(first, it.row());
   }
   join_columns(programme.stiffness, root, weak, true, sets);
   return sets;
@@ -106,7 +111,7 @@ DisjointSets joined(const QuadraticProgramme& programme, const FrictionLaw& law,
 // empty too, it belongs to the first system, where the certificate looks at it.
 std::vector<SystemParts> unconnected_systems(const QuadraticProgramme& programme,
                                              const FrictionLaw& law,
-                                             const Eigen::MatrixXd& null_vectors, double weak) {
+                                             const SparseMatrix& null_vectors, double weak) {
   DisjointSets sets = joined(programme, law, null_vectors, weak);
   if (sets.count() < 2) return {};
   const Index n = programme.load.size();
@@ -135,11 +140,8 @@ std::vector<SystemParts> unconnected_systems(const QuadraticProgramme& programme
     system_of(unknown).rows.push_back(row);
   }
   // A motion goes to the system of the first unknown that it moves.
-  for (Index j = 0; j < null_vectors.cols(); ++j) {
-    Index first = 0;
-    while (first + 1 < n && null_vectors(first, j) == 0) ++first;
-    system_of(first).modes.push_back(j);
-  }
+  for (Index j = 0; j < null_vectors.cols(); ++j)
+    system_of(first_moved(null_vectors, j)).modes.push_back(j);
   return systems;
 }
 

@@ -3,6 +3,7 @@
 /// The systems of a programme that nothing connects: each is a problem of its own, with its own units of size.
 #pragma once
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 #include <vector>
 
 #include "signorini/problem/problem.hpp"
@@ -27,7 +28,7 @@ struct SystemParts {
 /// \return the systems by their first unknowns, rows without an entry in the first one; empty if all is connected
 [[nodiscard]] std::vector<SystemParts> unconnected_systems(const QuadraticProgramme& programme,
                                                            const FrictionLaw& law,
-                                                           const Eigen::MatrixXd& null_vectors,
+                                                           const Eigen::SparseMatrix<double>& null_vectors,
                                                            double weak = 0);
 
 /// \param programme  K and A

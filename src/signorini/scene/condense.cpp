@@ -16,7 +16,8 @@
 // as there are pairs and slips.
 //
 // Where pairs are very many and few of them close, most of G is never looked at. A program
-// may have a way to solve that makes the rows which it needs; then G is left to that way.
+// may have a way to solve that makes the rows which it needs; then G is left to that way. Of many
+// bodies on top of each other G is larger than K, and a way may need none of it.
 #include <functional>
 #include <optional>
 #include <utility>
@@ -85,7 +86,8 @@ Condensed condensed_unless(LeavesCompliance left, const Model& model, Ledger& le
 
 // d and the free slips are what the programme has without contact forces. Load steps change
 // p and g, but neither K nor A: they call this once per step, and the factor and G stay.
-// Bodies that contact alone holds also get R and r, because r depends on p.
+// Bodies that contact alone holds also get R and r, because r depends on p. They belong to G: who
+// has left that to a way has left them, too.
 void move_freely(const Model& model, VectorXd free_displacement, Condensed& condensed) {
   const QuadraticProgramme& programme = model.programme;
   ContactProblem& problem = condensed.problem;
@@ -95,7 +97,8 @@ void move_freely(const Model& model, VectorXd free_displacement, Condensed& cond
   const Index slips = static_cast<Index>(model.law.pair.size());
   problem.free_gap = free.head(free.size() - slips);
   problem.free_slip = free.tail(slips);
-  if (!model.modes.empty())
+  const bool complete = problem.compliance.rows() == programme.A.rows();
+  if (complete && !model.modes.empty())
     add_rigid_modes(programme, mode_shapes(model.modes), problem, direction_rounding(model.modes));
 }
 

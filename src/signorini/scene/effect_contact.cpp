@@ -92,6 +92,7 @@ void declare_contact(const Scene& scene, Plan& draft) {
   const bool sliding = std::any_of(scene.contacts.begin(), scene.contacts.end(), has_friction);
   const double directions = direction_rounding(draft.bodies);
   std::vector<FollowedContact> followed;
+  std::vector<Gaps> all = {draft.gaps};
   for (std::size_t k = 0; k < scene.contacts.size(); ++k) {
     const ContactSpec& contact = scene.contacts[k];
     const std::string what = describe(draft.bodies, contact);
@@ -100,7 +101,7 @@ void declare_contact(const Scene& scene, Plan& draft) {
     if (standing == nullptr) check_pairs(contact, found, draft);
     std::string fitted;
     for (const FitSides& fit : draft.fits) fitted += fit(contact, found);
-    const Gaps gaps =
+    Gaps gaps =
         reduce(found, surface(draft.bodies, contact.source), draft.unknowns, what, directions);
     const std::size_t pairs = gaps.pairs.node.size();
     const bool rigid = std::holds_alternative<Obstacle>(contact.target);
@@ -111,12 +112,13 @@ void declare_contact(const Scene& scene, Plan& draft) {
     if (pairs == 0)
       draft.notes.push_back(what +
                             ": no pair can open or close, supports hold both sides everywhere");
-    draft.gaps = stacked(draft.gaps, gaps);
     followed.push_back({contact, gap(gaps.kept)});
+    all.push_back(std::move(gaps));
     draft.small_sliding.push_back(contact.small_sliding);
     draft.contact_of.resize(draft.contact_of.size() + pairs, k);
     draft.contact_bodies.push_back(bodies_of(contact, draft.bodies));
   }
+  draft.gaps = stacked(std::move(all));
   if (!std::all_of(scene.contacts.begin(), scene.contacts.end(), stays_linear))
     draft.followed = std::make_shared<const std::vector<FollowedContact>>(std::move(followed));
 }

@@ -39,26 +39,41 @@ Unknowns held_by_springs(const BodyModel& body) {
 }
 
 // The first unknown that a motion moves, and the one after the last. A mode is a vector of
-// all unknowns, but it is zero outside its own body.
+// all unknowns, but it has entries of its own body only.
 std::pair<Index, Index> moved_unknowns(const FreeMotion& mode) {
-  Index begin = 0;
-  Index end = mode.shape.size();
-  while (begin < end && mode.shape(begin) == 0) ++begin;
-  while (end > begin && mode.shape(end - 1) == 0) --end;
-  return {begin, end};
+  const Index entries = mode.shape.nonZeros();
+  if (entries == 0) return {mode.shape.size(), mode.shape.size()};
+  const auto* const place = mode.shape.innerIndexPtr();
+  return {place[0], place[entries - 1] + 1};
 }
 
 }  // namespace
 
 // Formulas want a matrix N with one column per mode. Messages want the modes with their
 // names. So both forms exist.
-Eigen::MatrixXd mode_shapes(const std::vector<FreeMotion>& modes) {
-  Eigen::MatrixXd shapes(modes.empty() ? 0 : modes.front().shape.size(),
-                         static_cast<Index>(modes.size()));
-  for (Index k = 0; k < shapes.cols(); ++k)
-    shapes.col(k) = modes[static_cast<std::size_t>(k)].shape;
+//
+// Of many bodies N has few entries. A column is as long as all of them have unknowns, and one body
+// moves. A thousand blocks of 18 unknowns that stand on rollers have a thousand motions: 18 million
+// numbers, of which 9000 are not zero. The columns of N are written one after the other, and so
+// nothing that is there has to move.
+Eigen::SparseMatrix<double> mode_entries(const std::vector<FreeMotion>& modes) {
+  Eigen::SparseMatrix<double> shapes(modes.empty() ? 0 : modes.front().shape.size(),
+                                     static_cast<Index>(modes.size()));
+  Index entries = 0;
+  for (const FreeMotion& mode : modes) entries += mode.shape.nonZeros();
+  shapes.reserve(entries);
+  for (Index k = 0; k < shapes.cols(); ++k) {
+    shapes.startVec(k);
+    for (Eigen::SparseVector<double>::InnerIterator it(modes[static_cast<std::size_t>(k)].shape);
+         it; ++it)
+      shapes.insertBack(it.index(), k) = it.value();
+  }
+  shapes.finalize();
   return shapes;
 }
+
+// Dense methods want the zeros, too.
+Eigen::MatrixXd mode_shapes(const std::vector<FreeMotion>& modes) { return mode_entries(modes); }
 
 // The body whose directions are known worst decides for all, because a contact takes its
 // normals from either side.
@@ -75,8 +90,8 @@ double direction_rounding(const std::vector<FreeMotion>& modes) {
   return most;
 }
 
-// Each body finds its own motions. They are then written into vectors of all unknowns, with
-// zeros for the other bodies.
+// Each body finds its own motions, on its own unknowns. They are then written into vectors of all
+// unknowns, where those of the body begin, without entries for the other bodies.
 std::vector<FreeMotion> rigid_modes(const std::vector<BodyModel>& bodies) {
   const BodyModel& last = bodies.back();
   std::vector<FreeMotion> modes;
@@ -86,9 +101,11 @@ std::vector<FreeMotion> rigid_modes(const std::vector<BodyModel>& bodies) {
              ? free_motions(body.mesh, body.pieces, body.unknowns, body.material.base.state)
              : free_motions(body.mesh, body.pieces, held_by_springs(body),
                             body.material.base.state)) {
-      const Eigen::VectorXd own = std::move(mode.shape);
-      mode.shape.setZero(last.first_unknown + last.unknowns.count);
-      mode.shape.segment(body.first_unknown, own.size()) = own;
+      Eigen::SparseVector<double> all(last.first_unknown + last.unknowns.count);
+      all.reserve(mode.shape.nonZeros());
+      for (Eigen::SparseVector<double>::InnerIterator it(mode.shape); it; ++it)
+        all.insertBack(body.first_unknown + it.index()) = it.value();
+      mode.shape.swap(all);
       modes.push_back(std::move(mode));
     }
   if (modes.empty()) return modes;
@@ -104,24 +121,35 @@ std::vector<FreeMotion> rigid_modes(const std::vector<BodyModel>& bodies) {
 // lower one, with \f$ R = (1, -1) \f$. Either moves the gap, but both together do not:
 // \f$ R\,(1, 1)^T = 0 \f$. So we ask which columns of R depend on others, and say the
 // combination in words.
+//
+// Nearly always none does. Columns of few entries say so for little: R has three per body, and the
+// sparse matrix \f$ R^T R \f$ is factored. Only if that leaves a doubt are the columns taken
+// dense, and orthogonalised one after the other.
 std::vector<std::string> motions_without_contact(
     const Eigen::SparseMatrix<double, Eigen::RowMajor>& A, const std::vector<FreeMotion>& modes) {
   std::vector<std::string> sentences;
   if (modes.empty()) return sentences;
-  Eigen::MatrixXd moved = rigid_gaps(A, mode_shapes(modes), direction_rounding(modes));
-  Eigen::VectorXd unit = Eigen::VectorXd::Ones(moved.cols());
+  const Eigen::SparseMatrix<double> shapes = mode_entries(modes);
+  Eigen::SparseMatrix<double> few = rigid_gaps(A, shapes, direction_rounding(modes));
+  Eigen::VectorXd unit = Eigen::VectorXd::Ones(few.cols());
   const double rounding = 64 * std::max(epsilon, direction_rounding(modes));
   // Against the terms: where these cancel, as for a ring that turns on a pin, what is left is rounding.
-  const Eigen::RowVectorXd size =
-      (A.cwiseAbs() * mode_shapes(modes).cwiseAbs()).colwise().lpNorm<Eigen::Infinity>();
-  for (Index k = 0; k < moved.cols(); ++k)
-    if (size(k) > 0) moved.col(k) /= unit(k) = size(k);
+  const Eigen::SparseMatrix<double> terms =
+      Eigen::SparseMatrix<double>(A.cwiseAbs()) * Eigen::SparseMatrix<double>(shapes.cwiseAbs());
+  for (Index k = 0; k < few.cols(); ++k) {
+    double size = 0;
+    for (Eigen::SparseMatrix<double>::InnerIterator it(terms, k); it; ++it)
+      size = std::max(size, it.value());
+    if (size == 0) continue;
+    unit(k) = size;
+    for (Eigen::SparseMatrix<double>::InnerIterator it(few, k); it; ++it) it.valueRef() /= size;
+  }
   // Of many bodies each pair feels a few. If the Gram matrix takes any load by much less than what
   // dependent columns make of it, beyond 1/rounding^2, none depends on others.
-  const Eigen::SparseMatrix<double> few = moved.sparseView();
   const Eigen::VectorXd any = Eigen::VectorXd::LinSpaced(few.cols(), 1, 9).array().sin();
   if (SparseLuFactor gram; gram.factorise(few.transpose() * few))
     if (largest(gram.solve(any)) < 1e12) return sentences;
+  Eigen::MatrixXd moved = few;
   if (moved.rows() < moved.cols())
     moved.conservativeResizeLike(Eigen::MatrixXd::Zero(moved.cols(), moved.cols()));
   const ColumnSpan span = column_span(moved, rounding * static_cast<double>(moved.cols()));
@@ -152,8 +180,12 @@ std::vector<Index> grounding(const std::vector<FreeMotion>& modes) {
     }
     const Index count = static_cast<Index>(end - begin);
     Eigen::MatrixXd shapes(count, last - first);
+    shapes.setZero();
     for (Index k = 0; k < count; ++k)
-      shapes.row(k) = modes[begin + static_cast<std::size_t>(k)].shape.segment(first, last - first);
+      for (Eigen::SparseVector<double>::InnerIterator it(
+               modes[begin + static_cast<std::size_t>(k)].shape);
+           it; ++it)
+        shapes(k, it.index() - first) = it.value();
     const std::vector<Index> order = column_span(shapes).order;
     for (Index k = 0; k < count; ++k)
       unknowns.push_back(first + order[static_cast<std::size_t>(k)]);

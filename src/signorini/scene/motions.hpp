@@ -35,7 +35,12 @@ namespace signorini {
 /// \return `n_r` numbers of unknowns
 [[nodiscard]] std::vector<Eigen::Index> grounding(const std::vector<FreeMotion>& modes);
 
-/// The shapes of rigid modes side by side.
+/// The shapes of rigid modes side by side, by their entries.
+/// \param modes  `n_r`
+/// \return `n x n_r`; empty if there are none
+[[nodiscard]] Eigen::SparseMatrix<double> mode_entries(const std::vector<FreeMotion>& modes);
+
+/// The same for dense methods: with all zeros, `n` numbers a mode.
 /// \param modes  `n_r`
 /// \return `n x n_r`; empty if there are none
 [[nodiscard]] Eigen::MatrixXd mode_shapes(const std::vector<FreeMotion>& modes);

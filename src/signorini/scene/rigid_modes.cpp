@@ -21,6 +21,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <vector>
 
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
@@ -30,6 +32,8 @@ namespace signorini {
 namespace {
 
 using Eigen::Index;
+using RowMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+using SparseMatrix = Eigen::SparseMatrix<double>;
 
 // Roundings that a factor may have gone through: normals and modes come out of a few steps
 // each.
@@ -42,22 +46,30 @@ constexpr double roundings = 64;
 // other bodies stand still.
 class Mode {
  public:
-  Mode(const Eigen::MatrixXd& null_vectors, Index number, double directions)
-      : moves_(null_vectors.col(number)), rounding_(roundings * directions * largest(moves_)) {
-    while (end_ > 0 && moves_(end_ - 1) == 0) --end_;
-    while (begin_ < end_ && moves_(begin_) == 0) ++begin_;
+  Mode(const SparseMatrix& null_vectors, Index number, double directions) {
+    SparseMatrix::InnerIterator first(null_vectors, number);
+    begin_ = first ? first.row() : 0;
+    for (SparseMatrix::InnerIterator it(null_vectors, number); it; ++it) {
+      moves_.resize(static_cast<std::size_t>(it.row() - begin_ + 1), 0);
+      moves_.back() = it.value();
+      rounding_ = std::max(rounding_, roundings * directions * std::abs(it.value()));
+    }
   }
-  [[nodiscard]] double at(Index unknown) const { return moves_(unknown); }
-  /// What one rounding of an entry is at least. \param unknown  that the entry belongs to
-  [[nodiscard]] double rounding(Index unknown) const {
-    return unknown >= begin_ && unknown < end_ ? rounding_ : 0;
+  /// \return the first unknown that it moves, and the one after the last
+  [[nodiscard]] Index begin() const { return begin_; }
+  [[nodiscard]] Index end() const { return begin_ + static_cast<Index>(moves_.size()); }
+  [[nodiscard]] bool reaches(Index unknown) const { return unknown >= begin_ && unknown < end(); }
+  /// \param unknown  that it reaches
+  [[nodiscard]] double at(Index unknown) const {
+    return moves_[static_cast<std::size_t>(unknown - begin_)];
   }
+  /// \return what one rounding of an entry is at least, of an unknown that it reaches
+  [[nodiscard]] double rounding() const { return rounding_; }
 
  private:
-  Eigen::MatrixXd::ConstColXpr moves_;
-  double rounding_;
-  Index begin_ = 0;
-  Index end_ = moves_.size();
+  Index begin_;
+  std::vector<double> moves_;
+  double rounding_ = 0;
 };
 
 // What forces do along a mode, 0 where the rounding of the factors can make as much. The sum
@@ -69,8 +81,9 @@ class WorkAlong {
  public:
   explicit WorkAlong(const Mode& mode) : mode_(mode) {}
   void add(double force, Index unknown) {
+    if (!mode_.reaches(unknown)) return;
     const double moves = mode_.at(unknown);
-    directions_ += std::abs(force) * mode_.rounding(unknown);
+    directions_ += std::abs(force) * mode_.rounding();
     if (force == 0 || moves == 0) return;
     sum_.add_product(force, moves);
     size_ += std::abs(force * moves);
@@ -91,34 +104,46 @@ class WorkAlong {
 
 }  // namespace
 
-// The gap is \f$ g - Au \f$. So a displacement along a mode changes it by \f$ -AN \f$.
-Eigen::MatrixXd rigid_gaps(const Eigen::SparseMatrix<double, Eigen::RowMajor>& A,
-                           const Eigen::MatrixXd& null_vectors, double directions) {
+// The gap is \f$ g - Au \f$. So a displacement along a mode changes it by \f$ -AN \f$. A mode
+// reaches the unknowns of one body, and of many bodies few rows have entries there. The columns
+// of A name these rows, so that the others are not even looked at.
+SparseMatrix rigid_gaps(const RowMatrix& A, const SparseMatrix& null_vectors, double directions) {
   require_argument(A.cols() == null_vectors.rows() || null_vectors.cols() == 0,
                    "rigid modes: A has ", A.cols(), " columns and N ", null_vectors.rows(),
                    " rows");
-  Eigen::MatrixXd R(A.rows(), null_vectors.cols());
+  const SparseMatrix columns = A;
+  SparseMatrix R(A.rows(), null_vectors.cols());
   for (Index j = 0; j < R.cols(); ++j) {
     const Mode mode(null_vectors, j, directions);
-    for (Index pair = 0; pair < R.rows(); ++pair) {
+    std::set<Index> felt;
+    for (Index unknown = mode.begin(); unknown < mode.end(); ++unknown)
+      for (SparseMatrix::InnerIterator at(columns, unknown); at; ++at) felt.insert(at.row());
+    R.startVec(j);
+    for (const Index pair : felt) {
       WorkAlong opened(mode);
-      for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator at(A, pair); at; ++at)
-        opened.add(-at.value(), at.col());
-      R(pair, j) = opened.value();
+      for (RowMatrix::InnerIterator at(A, pair); at; ++at) opened.add(-at.value(), at.col());
+      if (const double value = opened.value(); value != 0) R.insertBack(pair, j) = value;
     }
   }
+  R.finalize();
   return R;
+}
+
+Eigen::MatrixXd rigid_gaps(const RowMatrix& A, const Eigen::MatrixXd& null_vectors,
+                           double directions) {
+  return rigid_gaps(A, SparseMatrix(null_vectors.sparseView()), directions);
 }
 
 // The same doubt about zero, for the load: a load whose parts cancel must not leave a
 // resultant that nothing can balance.
 Eigen::VectorXd rigid_resultant(const Eigen::VectorXd& load, const Eigen::MatrixXd& null_vectors,
                                 double directions) {
-  Eigen::VectorXd resultant(null_vectors.cols());
-  for (Index j = 0; j < null_vectors.cols(); ++j) {
-    const Mode mode(null_vectors, j, directions);
+  const SparseMatrix N = null_vectors.sparseView();
+  Eigen::VectorXd resultant(N.cols());
+  for (Index j = 0; j < N.cols(); ++j) {
+    const Mode mode(N, j, directions);
     WorkAlong work(mode);
-    for (Index i = 0; i < load.size(); ++i) work.add(-load(i), i);
+    for (Index i = mode.begin(); i < mode.end(); ++i) work.add(-load(i), i);
     resultant(j) = work.value();
   }
   return resultant;

@@ -22,6 +22,12 @@ namespace signorini {
 /// \param directions    one rounding of the directions that A and N were made from [-]; 0 if each entry has its own
 /// \return R = -A N `n_c x n_r`, the one test of this library of whether a mode moves a pair
 /// \throws std::invalid_argument if sizes do not fit
+[[nodiscard]] Eigen::SparseMatrix<double> rigid_gaps(
+    const Eigen::SparseMatrix<double, Eigen::RowMajor>& A,
+    const Eigen::SparseMatrix<double>& null_vectors, double directions = 0);
+
+/// The same, dense. \param A  as above \param null_vectors  N `n x n_r` \param directions  as above
+/// \return R `n_c x n_r`
 [[nodiscard]] Eigen::MatrixXd rigid_gaps(const Eigen::SparseMatrix<double, Eigen::RowMajor>& A,
                                          const Eigen::MatrixXd& null_vectors,
                                          double directions = 0);

@@ -1,13 +1,13 @@
-#include "addons/certified/sparse_contact.hpp"
+#include "addons/many_bodies/sparse_contact.hpp"
 
 #include <algorithm>
 #include <array>
 #include <set>
 #include <utility>
 
-#include "addons/certified/central_path.hpp"
-#include "addons/certified/pair_sweeps.hpp"
-#include "addons/certified/sparse_set_system.hpp"
+#include "addons/many_bodies/central_path.hpp"
+#include "addons/many_bodies/pair_sweeps.hpp"
+#include "addons/many_bodies/sparse_set_system.hpp"
 #include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"
 

@@ -1,4 +1,4 @@
-#include "addons/certified/pair_sweeps.hpp"
+#include "addons/many_bodies/pair_sweeps.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-#include "addons/certified/sparse_contact.hpp"
+#include "addons/many_bodies/sparse_contact.hpp"
 #include "signorini/problem/active_set_system.hpp"
 
 namespace signorini {

@@ -1,11 +1,11 @@
-#include "addons/certified/sparse_set_system.hpp"
+#include "addons/many_bodies/sparse_set_system.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
-#include "addons/certified/powers_of_two.hpp"
+#include "addons/many_bodies/powers_of_two.hpp"
 #include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/core/sparse_lu.hpp"

@@ -1,4 +1,4 @@
-#include "addons/certified/central_path.hpp"
+#include "addons/many_bodies/central_path.hpp"
 
 #include <algorithm>
 #include <cmath>
