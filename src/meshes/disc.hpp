@@ -15,6 +15,13 @@ enum class DiscPart {
   Full         ///< all of it, mirrored at the upright through the centre as well
 };
 
+/// What is meshed of a disc, from a quarter of it.
+/// \param quarter  the lower right one, with its centre at x = 0, y = `level`, and the boundaries `middle` and `axis`
+/// \param level    of the centre [length]
+/// \param part     how much is wanted
+/// \return that part, of mirrored quarters
+[[nodiscard]] Mesh part_of_disc(const Mesh& quarter, double level, DiscPart part);
+
 /// A disc and how it is divided: a core of even cells with layers of cells around it.
 struct DiscSpec {
   std::string name = "disc";                         ///< what messages call it

@@ -166,12 +166,11 @@ NodalRows rows_of(Triplets entries, Index rows, Index columns) {
   auto entry = entries.begin();
   for (Index row = 0; row < rows; ++row) {
     result.startVec(row);
-    while (entry != entries.end() && entry->row() == row) {
-      double& sum = result.insertBack(row, entry->col());
-      sum = entry->value();
-      for (const int column = entry++->col();
-           entry != entries.end() && entry->row() == row && entry->col() == column; ++entry)
-        sum += entry->value();
+    for (Index last = -1; entry != entries.end() && entry->row() == row; ++entry) {
+      if (entry->col() != last)
+        result.insertBack(row, last = entry->col()) = entry->value();
+      else
+        result.data().value(result.data().size() - 1) += entry->value();
     }
   }
   result.finalize();

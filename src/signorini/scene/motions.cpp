@@ -59,16 +59,8 @@ std::pair<Index, Index> moved_unknowns(const FreeMotion& mode) {
 Eigen::SparseMatrix<double> mode_entries(const std::vector<FreeMotion>& modes) {
   Eigen::SparseMatrix<double> shapes(modes.empty() ? 0 : modes.front().shape.size(),
                                      static_cast<Index>(modes.size()));
-  Index entries = 0;
-  for (const FreeMotion& mode : modes) entries += mode.shape.nonZeros();
-  shapes.reserve(entries);
-  for (Index k = 0; k < shapes.cols(); ++k) {
-    shapes.startVec(k);
-    for (Eigen::SparseVector<double>::InnerIterator it(modes[static_cast<std::size_t>(k)].shape);
-         it; ++it)
-      shapes.insertBack(it.index(), k) = it.value();
-  }
-  shapes.finalize();
+  for (Index k = 0; k < shapes.cols(); ++k)
+    shapes.col(k) = modes[static_cast<std::size_t>(k)].shape;
   return shapes;
 }
 
