@@ -93,11 +93,12 @@ void Both::check_equal() const {
   CHECK(grown.contact.active == all.contact.active);
   CHECK(grown.contact.force == all.contact.force);
   CHECK(grown.refined.force == all.refined.force);
-  // The second parts of u, which gaps are summed with, come from another start.
+  // u in two parts comes from another start: where it is nothing but rounding, it is another rounding.
   CHECK(largest(VectorXd(grown.contact.gap - all.contact.gap)) <=
         epsilon * largest(all.refined.displacement));
   CHECK(grown.pressure == all.pressure);
-  CHECK(grown.refined.displacement == all.refined.displacement);
+  CHECK(largest(VectorXd(grown.refined.displacement - all.refined.displacement)) <=
+        epsilon * largest(all.refined.displacement));
   CHECK(grown.notes == all.notes);
 }
 
@@ -128,7 +129,7 @@ TEST_CASE("all pairs close: a few are tried, and then all are condensed", "[work
   both.check_equal();
   CHECK(both.closed() == both.pairs());
   CHECK(both.all_condensed());
-  CHECK(both.condensed() < both.pairs() / 3);  // of the few that are tried first
+  CHECK(3 * both.condensed() < both.pairs());  // of the few that are tried first
   CHECK(both.rounds() == 2);
 }
 
@@ -179,9 +180,9 @@ TEST_CASE("a set that would take more than half of the work of all pairs is give
   const Both both(pressed(0.4, 0.35));
   both.check_equal();
   CHECK(both.all_condensed());
-  CHECK(both.closed() > 0.8 * both.pairs());
+  CHECK(5 * both.closed() > 4 * both.pairs());
   CHECK(both.closed() < both.pairs());
-  CHECK(both.condensed() < both.pairs() / 3);  // of the few that are tried first
+  CHECK(3 * both.condensed() < both.pairs());  // of the few that are tried first
   CHECK(both.rounds() == 2);
 }
 

@@ -92,14 +92,13 @@ Solution certified_solve(const Model& model, const Condensed& condensed, const S
                          Ledger ledger, const SolverOptions& options) {
   std::optional<CertifiedSolution> few;
   if (!is_complete(condensed)) {
-    const bool many =
-        solved_whole(model) &&
-        many_bodies(static_cast<Index>(model.modes.size()), solver, options);
-    few = many ? whole_solution(model, condensed, ledger)
-               : working_set_solution(model, condensed, solver, options, ledger);
+    const bool whole = solved_whole(model);  // a method that does not take many bodies wants its compliance
+    if (whole && many_bodies(static_cast<Index>(model.modes.size()), solver, options))
+      few = whole_solution(model, condensed, ledger);
+    if (!whole) few = working_set_solution(model, condensed, solver, options, ledger);
     if (!few) {
-      const Condensed whole = completed(model, condensed, ledger);
-      return certified_solve(model, whole, solver, std::move(ledger), options);
+      const Condensed all = completed(model, condensed, ledger);
+      return certified_solve(model, all, solver, std::move(ledger), options);
     }
   }
   const auto solve_all = [&] {

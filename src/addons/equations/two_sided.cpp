@@ -3,6 +3,7 @@
 // solution of the turned problem in which none of these pairs is open is one of the problem that was posed.
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -77,6 +78,8 @@ class Turned {
   }
 
   void turn(const std::vector<Index>& some);
+  /// \return 1 of each row that stands as it was posed, -1 of each that is turned
+  [[nodiscard]] std::vector<double> sides() const { return {sign_.begin(), sign_.end()}; }
   [[nodiscard]] Solution solved(SolveCondensed way, const Solver& solver, Ledger ledger,
                                 SolverOptions options) const;
   /// Turns the numbers of a solution back.
@@ -187,6 +190,7 @@ Solution solve_two_sided(SolveCondensed way, const Model& model, const Condensed
   if (pairs.empty()) return way(model, condensed, solver, std::move(ledger), options);
   Turned side(model, condensed);
   side.turn(in_tension(condensed.problem, model.law, pairs));
+  std::set<std::vector<double>> seen = {side.sides()};
   for (int count = 1;; ++count) {
     Solution solution = side.solved(way, solver, ledger, options);
     ledger = solution.ledger;
@@ -194,6 +198,13 @@ Solution solve_two_sided(SolveCondensed way, const Model& model, const Condensed
     const std::vector<Index> open = solved ? side.open(solution, pairs) : std::vector<Index>();
     if (!open.empty() && count < most_solutions) {
       side.turn(open);
+      // Where nothing presses, all pairs of a body may open together, this way and that. A body is held between pairs that face
+      // different ways: so they are turned one at a time then, the first of them.
+      if (!seen.insert(side.sides()).second) {
+        side.turn(open);
+        side.turn({open.front()});
+        seen.insert(side.sides());
+      }
       continue;
     }
     side.turn_back(solution);

@@ -40,11 +40,12 @@ std::vector<std::string> notes_on_laws(const Model& model, const Solution& solut
   std::vector<std::string> notes;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const BodyModel& body = model.bodies[b];
+    if (body.material.base.law == nullptr) continue;  // and so has no layer, see finite_strain()
     Index lost = 0;
     std::string where;
     visit_cells(body.mesh, body.element, body.material, [&](const Cell& cell) {
       const StrainLaw* law = cell.material.law;
-      if (law == nullptr || law->stability == nullptr) return;
+      if (law->stability == nullptr) return;
       if (law->stability(cell, less_shift(cell, solution.displacements[b])) >= 0) return;
       if (lost++ == 0)
         where = text("cell ", cell.number, ", at (", cell.body.middle.x(), ", ", cell.body.middle.y(), ") before it moved");
