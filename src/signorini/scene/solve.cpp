@@ -1,9 +1,9 @@
 // # Solve, recover
 //
-// [condense.cpp](condense.cpp) has made the small problem: free gaps d and the compliance G of
-// all pairs. What a solver finds for it holds for d and G, which are rounded. So the forces are
-// refined with K, p, A and g as they were posed, and the certificate measures those. Only then
-// is the answer called a solution.
+// The small problem has free gaps d and the compliance G of all pairs.
+// [condense.cpp](condense.cpp) has made it. What a solver finds holds for d and G, which are
+// rounded. So the forces are refined with K, p, A and g as they were posed, and the certificate
+// measures those. Only then is the answer called a solution.
 //
 // In the example of that page d = -5 and G = 2. A solver finds the force 2.5 and the gap 0. What
 // a user wants to see comes back from it: \f$ u = K^{-1}(p - A^T\lambda) = (0.5, 1) \f$.
