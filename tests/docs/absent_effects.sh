@@ -36,9 +36,7 @@ awk '{ for (k = 1; k <= 3; k++) x[NR, k] = $k }
      function near(k, a, b, share) { return x[b, k] <= (1 + share) * x[a, k] && x[b, k] >= (1 - share) * x[a, k] }
      END {
          check(near(1, 1, 2, 0.01), "a scene takes the instructions of the same by hand, within 1 %")
-         check(near(2, 1, 2, 0.05), "and its allocations, within 5 %")
-         # A scene is kept beside its model: a second copy of meshes and numbers of unknowns, some 5 % of what a small factor takes.
-         check(near(3, 1, 2, 0.06), "and its memory but for a copy of the mesh, within 6 %")
+         check(near(2, 1, 2, 0.05) && near(3, 1, 2, 0.05), "and its allocations and memory, within 5 %")
          check(near(1, 2, 3, 0.001), "effects that want nothing take no instructions, within 0.1 %")
          check(near(2, 2, 3, 0.001) && near(3, 2, 3, 0.001), "and no memory but that of their own names")
          exit bad

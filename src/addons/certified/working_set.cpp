@@ -152,6 +152,12 @@ std::optional<CertifiedSolution> grown(WorkingSet& set, const Condensed& condens
 
 }  // namespace
 
+Index most_rows(const std::vector<SystemParts>& systems) {
+  std::size_t most = 0;
+  for (const SystemParts& parts : systems) most = std::max(most, parts.rows.size());
+  return static_cast<Index>(most);
+}
+
 bool working_set_pays(const Plan& plan, Index pairs, double operations) {
   const bool plain = plan.modes.empty() && plan.law.pair.empty() && plan.path.times.empty() &&
                      !plan.equations && !plan.loop;

@@ -3,11 +3,16 @@
 /// Contact of many candidates of which few close: only pairs that may close are condensed.
 #pragma once
 #include <optional>
+#include <vector>
 
 #include "addons/certified/certified_solve.hpp"
+#include "signorini/problem/systems.hpp"
 #include "signorini/scene/solution.hpp"
 
 namespace signorini {
+
+/// \param systems  of a programme, one or more \return the rows of the one that has most
+[[nodiscard]] Eigen::Index most_rows(const std::vector<SystemParts>& systems);
 
 /// Whether a working set is worth trying, by counts alone.
 ///
@@ -16,7 +21,7 @@ namespace signorini {
 /// leaving rows out of it saves nothing that could be measured. Pairs with friction, rigid motions, equations, load steps and
 /// bodies that move look at the compliance of all pairs: their proofs speak of it, or the next load does.
 /// \param plan        of the scene, or its model
-/// \param pairs       n_c
+/// \param pairs       n_c of the largest system, see most_rows(): pairs of two systems share no dense matrix
 /// \param operations  of the factor of K
 /// \return whether it is
 [[nodiscard]] bool working_set_pays(const Plan& plan, Eigen::Index pairs, double operations);

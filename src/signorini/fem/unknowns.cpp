@@ -168,7 +168,7 @@ Unknowns number_unknowns(const Mesh& mesh, const std::vector<Support>& supports,
     for (int axis = 0; axis < 2; ++axis) {
       if (unknowns.number(node, axis) < 0) continue;
       unknowns.number(node, axis) = unknowns.count++;
-      unknowns.node_of.push_back(node);
+      unknowns.node_of.push_back(static_cast<int>(node));
     }
   return unknowns;
 }
@@ -192,7 +192,7 @@ Unknowns joined(const std::vector<Unknowns>& bodies) {
     // Held components stay at -1, all others count on from the bodies before.
     all.number.middleRows(first, rows) = (body.number < 0).select(-1, body.number + all.count);
     all.held.middleRows(first, rows) = body.held;
-    for (const Index node : body.node_of) all.node_of.push_back(first + node);
+    for (const int node : body.node_of) all.node_of.push_back(static_cast<int>(first) + node);
     all.count += body.count;
     first += rows;
   }

@@ -73,7 +73,7 @@ struct Unknowns {
   Eigen::Array<Eigen::Index, Eigen::Dynamic, 2> number;  ///< `n_nodes x 2`: unknown, or -1 if held
   NodeArray held;          ///< `n_nodes x 2`: given displacement where held, else 0 [length]
   Eigen::Index count = 0;  ///< number of unknowns `n`
-  std::vector<Eigen::Index> node_of;  ///< `n` node of each unknown, in increasing order
+  std::vector<int> node_of;  ///< `n` node of each unknown, in increasing order
 
   /// What a message calls an unknown.
   /// \param mesh     that was numbered
