@@ -90,6 +90,9 @@ TEST_CASE("few bodies, load steps and other methods are condensed", "[many_bodie
   Scene other = stack(26, 0);
   other.solver = alone();
   CHECK_FALSE(whole(other));
+  Scene steps = stack(26, 0);
+  steps.path = Path{{1}, {}};
+  CHECK_FALSE(whole(steps));
 }
 
 TEST_CASE("a load that lifts the top block is refused by the dense road, with its reason",

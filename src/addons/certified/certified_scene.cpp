@@ -72,8 +72,8 @@ void note_open_motions(const Model& model, const CertifiedSolution& end, const K
 bool leaves_to_working_set(const Model& model, const Factor& factor) {
   const double operations = factor.operations();
   if (!working_set_pays(model, model.programme.A.rows(), operations)) return false;
-  const std::vector<SystemParts> systems = unconnected_systems(model.programme, model.law, mode_entries(model.modes));
-  return systems.empty() || working_set_pays(model, most_rows(systems), operations);
+  const std::vector<SystemParts> systems = unconnected_systems(model.programme, model.law, {});  // it has no motions
+  return systems.empty() || working_set_pays(model, largest_of(systems), operations);
 }
 
 /// What is said of a solution before anybody has looked at stresses and displacements.

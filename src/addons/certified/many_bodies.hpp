@@ -27,7 +27,7 @@ inline constexpr Eigen::Index many_motions = 24;
 /// \return whether its rigid motions are many, it has neither load steps nor equations, and whoever factors K works alone
 [[nodiscard]] bool solved_whole(const Plan& plan);
 
-/// With more rows the compliance alone takes more than 3 GB, and a dense factor hours.
+/// With more rows the compliance alone takes more than 3 GB, and each of many dense factors minutes.
 inline constexpr Eigen::Index most_dense_rows = 20000;
 
 /// Solves a model that is solved_whole() by its entries. Pairs with friction are not asked whether other solutions exist.

@@ -100,7 +100,7 @@ CertifiedSolution WorkingSet::solve(const Factor& factor, const Solver& solver,
   options.start.clear();
   if (statuses.size() == in.size())
     for (const Index pair : pairs) options.start.push_back(statuses[at(pair)]);
-  const CondensedProgramme own{problem, whole.free_displacement, whole.solve_stiffness,
+  const CondensedProgramme own{std::move(problem), whole.free_displacement, whole.solve_stiffness,
                                whole.solve_part};
   return certified_solve(programme, own, mode_shapes(model.modes), solver, options, ledger);
 }
@@ -152,12 +152,6 @@ std::optional<CertifiedSolution> grown(WorkingSet& set, const Condensed& condens
 
 }  // namespace
 
-Index most_rows(const std::vector<SystemParts>& systems) {
-  std::size_t most = 0;
-  for (const SystemParts& parts : systems) most = std::max(most, parts.rows.size());
-  return static_cast<Index>(most);
-}
-
 bool working_set_pays(const Plan& plan, Index pairs, double operations) {
   const bool plain = plan.modes.empty() && plan.law.pair.empty() && plan.path.times.empty() &&
                      !plan.equations && !plan.loop;
@@ -178,22 +172,6 @@ std::optional<CertifiedSolution> working_set_solution(const Model& model,
   } catch (const std::invalid_argument&) {
     return std::nullopt;  // numbers that no unit can take: the problem of all pairs says which
   }
-}
-
-/// An empty compliance of three pairs was left out. An empty one of no pairs is all of it.
-bool is_complete(const Condensed& condensed) {
-  const ContactProblem& problem = condensed.problem;
-  return problem.compliance.rows() == problem.free_gap.size() + problem.free_slip.size();
-}
-
-Condensed completed(const Model& model, Condensed condensed, Ledger& ledger) {
-  if (is_complete(condensed)) return condensed;
-  const Ledger::Phase phase(ledger, "condensation");
-  Eigen::MatrixXd& compliance = condensed.problem.compliance;
-  compliance = condensed.factor.compliance(model.programme.A, ledger);
-  ledger.bytes(compliance.size() * static_cast<long long>(sizeof(double)));
-  move_freely(model, condensed.free_displacement, condensed);  // rigid motions had been left, too
-  return condensed;
 }
 
 }  // namespace signorini

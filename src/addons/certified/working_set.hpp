@@ -3,16 +3,11 @@
 /// Contact of many candidates of which few close: only pairs that may close are condensed.
 #pragma once
 #include <optional>
-#include <vector>
 
 #include "addons/certified/certified_solve.hpp"
-#include "signorini/problem/systems.hpp"
 #include "signorini/scene/solution.hpp"
 
 namespace signorini {
-
-/// \param systems  of a programme, one or more \return the rows of the one that has most
-[[nodiscard]] Eigen::Index most_rows(const std::vector<SystemParts>& systems);
 
 /// Whether a working set is worth trying, by counts alone.
 ///
@@ -21,17 +16,10 @@ namespace signorini {
 /// leaving rows out of it saves nothing that could be measured. Pairs with friction, rigid motions, equations, load steps and
 /// bodies that move look at the compliance of all pairs: their proofs speak of it, or the next load does.
 /// \param plan        of the scene, or its model
-/// \param pairs       n_c of the largest system, see most_rows(): pairs of two systems share no dense matrix
+/// \param pairs       n_c of the largest system, see largest_of(): pairs of two systems share no dense matrix
 /// \param operations  of the factor of K
 /// \return whether it is
 [[nodiscard]] bool working_set_pays(const Plan& plan, Eigen::Index pairs, double operations);
-
-/// \param condensed  from condense() or condense_as_needed() \return whether it has its compliance
-[[nodiscard]] bool is_complete(const Condensed& condensed);
-
-/// Makes the compliance that was left out. \param model  that was condensed \param condensed  from condense_as_needed()
-/// \param ledger  receives more of the phase `condensation` \return what condense() would have returned
-[[nodiscard]] Condensed completed(const Model& model, Condensed condensed, Ledger& ledger);
 
 /// Solves a model whose compliance was left out. The set begins with the pairs that overlap or touch without contact forces;
 /// of more than the factor pays for, with every second, third, ... of them: a load may make all pairs overlap where few will

@@ -4,7 +4,6 @@
 
 #include "addons/certified/many_bodies.hpp"
 #include "addons/certified/solve_with_proofs.hpp"
-#include "addons/certified/working_set.hpp"
 #include "addons/equations/eliminate.hpp"
 #include "signorini/contact/gaps.hpp"
 #include "signorini/problem/active_set_system.hpp"
@@ -12,6 +11,7 @@
 #include "signorini/scene/motions.hpp"
 #include "signorini/scene/readings.hpp"
 #include "signorini/scene/rigid_modes.hpp"
+#include "signorini/scene/ways.hpp"
 #include "signorini/solvers/primal_dual_active_set.hpp"
 
 namespace signorini {

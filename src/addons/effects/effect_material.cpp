@@ -16,12 +16,15 @@ bool same(const Material& a, const Material& b) {
          a.state == b.state && a.thickness == b.thickness && a.expansion == b.expansion;
 }
 
-/// A region that the mesh does not have is refused, also of a layer that changes nothing.
 bool has_layers(const Body& body) {
-  bool any = false;
-  for (const Layer& layer : body.layers)
-    any = !region(body.mesh, layer.region).empty() && (any || !same(layer.material, body.material));
-  return any;
+  return std::any_of(body.layers.begin(), body.layers.end(),
+                     [&](const Layer& layer) { return !same(layer.material, body.material); });
+}
+
+/// Also of a layer that changes nothing: its name may be mistyped.
+void check_regions(const Scene& scene) {
+  for (const Body& body : scene.bodies)
+    for (const Layer& layer : body.layers) static_cast<void>(region(body.mesh, layer.region));
 }
 
 void declare_layers(const Scene& scene, Plan& draft) {
@@ -83,7 +86,8 @@ void declare_temperature(const Scene& scene, Plan& draft) {
 Effect layers() {
   return {"layers",
           [](const Scene& scene, const Plan& /*draft*/) {
-            return std::count_if(scene.bodies.begin(), scene.bodies.end(), has_layers) > 0;
+            check_regions(scene);
+            return std::any_of(scene.bodies.begin(), scene.bodies.end(), has_layers);
           },
           declare_layers, nullptr};
 }

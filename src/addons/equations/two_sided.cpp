@@ -182,6 +182,21 @@ std::vector<Index> in_tension(const ContactProblem& problem, const FrictionLaw& 
   return found;
 }
 
+/// Turns pairs that are open, so that no set of sides comes twice. Where nothing presses, all pairs of a body may open together, to
+/// either side in turn, and what holds it are pairs that face different ways. So a set that was seen is left, and one pair is turned.
+/// \return whether there is a set that was not seen
+bool turn_anew(const std::vector<Index>& open, Turned& side, std::set<std::vector<double>>& seen) {
+  side.turn(open);
+  if (seen.insert(side.sides()).second) return true;
+  side.turn(open);
+  for (const Index pair : open) {
+    side.turn({pair});
+    if (seen.insert(side.sides()).second) return true;
+    side.turn({pair});
+  }
+  return false;
+}
+
 }  // namespace
 
 Solution solve_two_sided(SolveCondensed way, const Model& model, const Condensed& condensed,
@@ -196,17 +211,7 @@ Solution solve_two_sided(SolveCondensed way, const Model& model, const Condensed
     ledger = solution.ledger;
     const bool solved = solution.contact.report.status == SolveStatus::Solved;
     const std::vector<Index> open = solved ? side.open(solution, pairs) : std::vector<Index>();
-    if (!open.empty() && count < most_solutions) {
-      side.turn(open);
-      // Where nothing presses, all pairs of a body may open together, this way and that. A body is held between pairs that face
-      // different ways: so they are turned one at a time then, the first of them.
-      if (!seen.insert(side.sides()).second) {
-        side.turn(open);
-        side.turn({open.front()});
-        seen.insert(side.sides());
-      }
-      continue;
-    }
+    if (!open.empty() && count < most_solutions && turn_anew(open, side, seen)) continue;
     side.turn_back(solution);
     if (solved) add_gaps(model, pairs, solution);
     if (open.empty()) return solution;

@@ -40,6 +40,10 @@ constexpr Index most_corrections = 6;
 /// Of a way that is this near to its own load an iteration leaves as much as the next one of Newton's method can mend.
 constexpr double near_enough = 0.01;
 
+/// Means that leave more than this of what the first way left have not come nearer: the next would not either, and a load that is as
+/// wrong as none is dropped.
+constexpr double come_nearer = 0.5;
+
 /// What a method says of a linear problem, before anything is refined.
 struct FirstAnswer {
   VectorXd way = {};    ///< d; empty: it was not solved
@@ -104,7 +108,7 @@ Solution corrected_solve(Model& model, const TurnedForces& turned, SolverOptions
       guess = ways.leftCols(k + 1) * weights;
       put_load(load + loads.leftCols(k + 1) * weights, model, condensed);
     }
-    closer = guess.isZero(0) || last <= 0.5 * left.col(0).norm();
+    closer = guess.isZero(0) || last <= come_nearer * left.col(0).norm();
     if (!closer) {
       put_load(load, model, condensed);
       ledger.count("dropped", 1);

@@ -25,6 +25,7 @@ namespace signorini {
 using Eigen::Index;
 
 double least_wave_stiffness(const StressResponse& response) {
+  // Between two of them lie 6 degrees: of a least value in the middle the cosine of 3 degrees is missed, .1 %.
   constexpr int directions = 32;
   double least = std::numeric_limits<double>::infinity();
   for (int k = 0; k < directions; ++k) {

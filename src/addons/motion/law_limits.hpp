@@ -18,7 +18,7 @@ namespace signorini {
 
 /// \param model     with bodies that have laws
 /// \param solution  of it
-/// \return a note for each body with cells whose law has lost its strong ellipticity
+/// \return a note for each body with cells where that least value is negative: strong ellipticity is lost
 [[nodiscard]] std::vector<std::string> notes_on_laws(const Model& model, const Solution& solution);
 
 }  // namespace signorini

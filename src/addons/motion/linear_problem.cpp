@@ -51,7 +51,31 @@ struct Tangent {
   double mean;  ///< stiffness
 };
 
-/// What turning contact forces, and weak springs, lack.
+/// K and p of a place, and the rigid motions, which are those of K before strain: they are aside while rungs are tried.
+class Aside {
+ public:
+  explicit Aside(Model& model)
+      : tangent{{}, model.programme.load, model.programme.stiffness.diagonal().cwiseAbs().mean()},
+        model_(model) {
+    tangent.stiffness.swap(model.programme.stiffness);
+    modes_.swap(model.modes);
+  }
+  ~Aside() {
+    tangent.stiffness.swap(model_.programme.stiffness);
+    tangent.load.swap(model_.programme.load);
+    modes_.swap(model_.modes);
+  }
+  Aside(const Aside&) = delete;
+  Aside& operator=(const Aside&) = delete;
+
+  Tangent tangent;
+
+ private:
+  Model& model_;
+  std::vector<FreeMotion> modes_;
+};
+
+/// What turning contact forces, and weak springs, lack. While supports are on their way nothing turns yet, and springs shorten the way.
 TurnedForces lacking(const TangentProblem& problem, std::size_t rung, double spring) {
   if (rung < weak_springs || rung >= stiff_springs || !problem.turned) return problem.turned;
   return [&problem, spring](const VectorXd& way, const VectorXd& force) -> VectorXd {
@@ -124,13 +148,9 @@ Solution solve_with_one_factor(Model& model, VectorXd free, const TurnedForces& 
   return corrected_solve(model, turned, options, condensed, std::move(ledger), closer);
 }
 
-// Rigid motions are those of K before strain, and of no other.
 Solution solve_with_tangent(const TangentProblem& problem, Condensed& condensed, Ledger ledger) {
-  QuadraticProgramme& programme = problem.model.programme;
-  Tangent tangent{{}, programme.load, programme.stiffness.diagonal().cwiseAbs().mean()};
-  tangent.stiffness.swap(programme.stiffness);
-  std::vector<FreeMotion> modes;
-  modes.swap(problem.model.modes);
+  const Aside aside(problem.model);
+  const Tangent& tangent = aside.tangent;
   std::optional<Solution> solution;
   for (std::size_t k = problem.rung < weak_springs ? problem.rung : 0; k < ladder.size(); ++k) {
     bool closer = true;
@@ -146,9 +166,6 @@ Solution solve_with_tangent(const TangentProblem& problem, Condensed& condensed,
     solution->contact.report.status = SolveStatus::Breakdown;
     solution->contact.reason = why_indefinite(problem.model, ladder.size());
   }
-  programme.stiffness.swap(tangent.stiffness);
-  programme.load.swap(tangent.load);
-  modes.swap(problem.model.modes);
   solution->ledger = std::move(ledger);
   return *std::move(solution);
 }

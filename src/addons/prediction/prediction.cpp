@@ -84,7 +84,7 @@ class Figures {
         of_factor_(factors_again(plan) ? Certainty::AtLeast
                    : plan.backend.factor == Scene().backend.factor ? Certainty::Exact
                                                                    : Certainty::Estimate),
-        few_(working_set_pays(plan, most_rows(known.systems), known.fronts.operations())),
+        few_(working_set_pays(plan, largest_of(known.systems), known.fronts.operations())),
         counted_(why_not_counted(plan).empty()) {}
 
   std::vector<PredictedFigure> all() {

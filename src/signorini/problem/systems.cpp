@@ -209,4 +209,11 @@ FrictionLaw part_of(const FrictionLaw& law, Index pairs, const SystemParts& part
   return part;
 }
 
+// Dense matrices have the rows of one system each, and so the largest decides what they cost.
+Eigen::Index largest_of(const std::vector<SystemParts>& systems) {
+  std::size_t most = 0;
+  for (const SystemParts& parts : systems) most = std::max(most, parts.rows.size());
+  return static_cast<Index>(most);
+}
+
 }  // namespace signorini

@@ -97,8 +97,7 @@ void move_freely(const Model& model, VectorXd free_displacement, Condensed& cond
   const Index slips = static_cast<Index>(model.law.pair.size());
   problem.free_gap = free.head(free.size() - slips);
   problem.free_slip = free.tail(slips);
-  const bool complete = problem.compliance.rows() == programme.A.rows();
-  if (complete && !model.modes.empty())
+  if (is_complete(condensed) && !model.modes.empty())
     add_rigid_modes(programme, mode_shapes(model.modes), problem, direction_rounding(model.modes));
 }
 
@@ -109,6 +108,21 @@ Condensed condense(const Model& model, Ledger& ledger) {
 // One load, and nobody but solve() to ask for G: the way that is set says what it needs.
 Condensed condense_as_needed(const Model& model, Ledger& ledger) {
   return condensed_unless(leaves_compliance, model, ledger);
+}
+
+// An empty G of three pairs was left out. An empty G of no pairs is all of it.
+bool is_complete(const Condensed& condensed) {
+  const ContactProblem& problem = condensed.problem;
+  return problem.compliance.rows() == problem.free_gap.size() + problem.free_slip.size();
+}
+// What was left out is made with the factor that is there, and the phase goes on. Rigid motions had
+// been left, too.
+Condensed completed(const Model& model, Condensed condensed, Ledger& ledger) {
+  if (is_complete(condensed)) return condensed;
+  const Ledger::Phase phase(ledger, "condensation");
+  form_compliance(model, condensed, ledger);
+  move_freely(model, condensed.free_displacement, condensed);
+  return condensed;
 }
 
 // Whoever refines a solution needs a solve with K and must not know the factor. So it gets

@@ -5,6 +5,9 @@
 // a slip of more than a cell says that it is not. A point that has moved by (0.2, -0.1) on a floor
 // with the normal (0, 1) has the tangent (1, 0), and has slid by 0.2.
 
+#include <utility>
+
+#include "signorini/contact/gaps.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/readings.hpp"
 
@@ -22,9 +25,7 @@ NodalRows turned(const NodalRows& opening) {
                            static_cast<int>(along_x ? it.col() + 1 : it.col() - 1),
                            along_x ? -it.value() : it.value());
     }
-  NodalRows rows(opening.rows(), opening.cols());
-  rows.setFromTriplets(entries.begin(), entries.end());
-  return rows;
+  return rows_of(std::move(entries), opening.rows(), opening.cols());
 }
 
 // Bodies have arrays of their own, rows of N have columns for all nodes.

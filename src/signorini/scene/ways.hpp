@@ -44,6 +44,17 @@ void set_solve(SolveCondensed another, LeavesCompliance leaves = nullptr);
 /// \throws ProblemError as condense()
 [[nodiscard]] Condensed condense_as_needed(const Model& model, Ledger& ledger);
 
+/// \param condensed  from condense() or condense_as_needed()
+/// \return whether it has its compliance
+[[nodiscard]] bool is_complete(const Condensed& condensed);
+
+/// Makes the compliance that was left out.
+/// \param model      that was condensed
+/// \param condensed  from condense_as_needed()
+/// \param ledger     receives more of the phase `condensation`
+/// \return what condense() would have returned
+[[nodiscard]] Condensed completed(const Model& model, Condensed condensed, Ledger& ledger);
+
 /// A way that asks another one, several times if need be.
 using SolveAround = Solution (*)(SolveCondensed way, const Model& model, const Condensed& condensed,
                                  const Solver& solver, Ledger ledger,
