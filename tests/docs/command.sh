@@ -479,6 +479,7 @@ json() { # status, arguments: valid, and on standard output alone
     shift
     "$program" "$@" --json > out.json 2> errors
     status=$?
+    sed -i '/has taken .* more than 10 times /d' errors  # a busy machine
     [ "$status" -eq "$wanted" ] && [ ! -s errors ] || { echo "signorini $* --json: status $status, expected $wanted"; failures=$((failures + 1)); }
     if command -v python3 > /dev/null 2>&1; then
         python3 -m json.tool out.json > /dev/null || { echo "signorini $* --json: no valid JSON"; failures=$((failures + 1)); }

@@ -9,6 +9,7 @@
 #include "fuzz/check_text.hpp"
 #include "signorini/core/random.hpp"
 #include "signorini/core/table.hpp"
+#include "support/sample.hpp"
 
 using namespace signorini;
 
@@ -90,7 +91,7 @@ std::string quadratic(Random& random, int wildness) {
 TEST_CASE("problems with odd numbers are refused, given up, or solved and certified",
           "[problem_file][hard]") {
   Random random(2026);
-  for (int sample = 0; sample < 4000; ++sample) {
+  for (int sample = 0; sample < 4000; sample += signorini_test::sample_step) {
     const int wildness = sample % 8;
     const std::string text =
         sample % 2 == 0 ? complementarity(random, wildness) : quadratic(random, wildness);
