@@ -58,31 +58,37 @@ bool takes_all(const ScaledProblem& problem, double least) {
   return false;
 }
 
-/// Whether G - C T^-1 C^T - mu |T| mu / 4 is positive definite, beyond rounding.
+/// Whether G - C T^-1 C^T - mu |T| mu / 4 is positive definite, beyond rounding. The eigenvalues that say |T| cost most: a bound of it
+/// from above may be enough to show that it is, and one from below that it is not.
 bool bound_excludes_others(const ScaledProblem& problem) {
   const MatrixXd& F = problem.compliance;
   const Index pairs = problem.pairs();
   const Index slips = F.rows() - pairs;
   MatrixXd S = F.topLeftCorner(pairs, pairs);
   if (pairs == 0) return true;
-  if (slips > 0) {
-    const MatrixXd T = F.bottomRightCorner(slips, slips);
-    const MatrixXd C = F.topRightCorner(pairs, slips);
-    const bool coupled = !C.isZero(0);
-    const VectorXd answer = T.rowwise().sum();
-    if (coupled && takes_all(problem, answer.dot(T * answer) / answer.squaredNorm())) return false;
-    const CholeskyFactor tangential(T);
-    if (!tangential.positive()) return false;
-    S.noalias() -= C * tangential.solve_columns(C.transpose());
-    const double largest = symmetric_eigenvalues(T).maxCoeff();
-    for (Index k = 0; k < slips && coupled; ++k) {
-      const Index pair = problem.law.pair[at(k)];
-      S(pair, pair) -= 0.25 * largest * std::pow(problem.law.coefficient(k), 2);
-    }
-  }
   // Rounding of the entries, which are at most 1, must not decide.
   S.diagonal().array() -= static_cast<double>(pairs) * proof_rounding;
-  return CholeskyFactor(S).positive();
+  const auto excludes = [&](double norm) {
+    MatrixXd less = S;
+    for (Index k = 0; norm > 0 && k < slips; ++k) {
+      const Index pair = problem.law.pair[at(k)];
+      less(pair, pair) -= 0.25 * norm * std::pow(problem.law.coefficient(k), 2);
+    }
+    return CholeskyFactor(less).positive();
+  };
+  if (slips == 0) return excludes(0);
+  const MatrixXd T = F.bottomRightCorner(slips, slips);
+  const MatrixXd C = F.topRightCorner(pairs, slips);
+  const bool coupled = !C.isZero(0);
+  const VectorXd answer = T.rowwise().sum();
+  const double least = coupled ? answer.dot(T * answer) / answer.squaredNorm() : 0;
+  if (coupled && takes_all(problem, least)) return false;
+  const CholeskyFactor tangential(T);
+  if (!tangential.positive()) return false;
+  if (!coupled) return excludes(0);
+  S.noalias() -= C * tangential.solve_columns(C.transpose());
+  return excludes(T.cwiseAbs().rowwise().sum().maxCoeff()) ||
+         (excludes(least) && excludes(symmetric_eigenvalues(T).maxCoeff()));
 }
 
 /// Whether pairs whose forces are no rounding let no body move rigidly.

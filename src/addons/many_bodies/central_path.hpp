@@ -34,6 +34,8 @@ class CentralPath {
   [[nodiscard]] bool follow(double part, Eigen::Index most);
   /// \return f of all rows
   [[nodiscard]] Eigen::VectorXd force() const { return scale_.cwiseProduct(force_); }
+  /// \return m where it has come to, of forces that are scaled so that the diagonal of F is 1
+  [[nodiscard]] double level() const { return level_; }
   /// \return steps so far
   [[nodiscard]] Eigen::Index steps() const { return steps_; }
 

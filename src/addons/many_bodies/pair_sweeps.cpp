@@ -22,11 +22,29 @@ Vector2d sliding(const LonePair& pair, double sign) {
   return {normal, sign * (pair.coefficient * normal + pair.cohesion)};
 }
 
-/// The movement of a row: its free movement and what all forces add.
-double moved(const SparseMatrix& rows, const VectorXd& free, const VectorXd& force, Index row) {
-  double sum = free(row);
-  for (SparseMatrix::InnerIterator it(rows, row); it; ++it) sum += it.value() * force(it.row());
-  return sum;
+/// What the force of a row adds to the gap and the slip of a pair, for 1 of it.
+struct Influence {
+  Index row;
+  double gap;
+  double slip;
+};
+
+/// What the forces of others add to a pair: entries of its two rows, by columns. \param j  row of its slip, or -1
+std::vector<Influence> influences(const SparseMatrix& rows, Index i, Index j) {
+  std::vector<Influence> all;
+  for (SparseMatrix::InnerIterator it(rows, i); it; ++it)
+    if (it.row() != i && it.row() != j) all.push_back({it.row(), it.value(), 0});
+  if (j < 0) return all;
+  std::vector<Influence> both;
+  auto gap = all.begin();
+  for (SparseMatrix::InnerIterator it(rows, j); it; ++it) {
+    if (it.row() == i || it.row() == j) continue;
+    for (; gap != all.end() && gap->row < it.row(); ++gap) both.push_back(*gap);
+    const bool same = gap != all.end() && gap->row == it.row();
+    both.push_back({it.row(), same ? gap++->gap : 0, it.value()});
+  }
+  both.insert(both.end(), gap, all.end());
+  return both;
 }
 
 }  // namespace
@@ -64,21 +82,33 @@ void sweep_pairs(const SparseMatrix& compliance, const VectorXd& free, const Fri
     alone[at(i)] = {0, 0, compliance.coeff(i, i), compliance.coeff(i, j), compliance.coeff(j, i),
                     compliance.coeff(j, j), law.coefficient(j - pairs), law.cohesion(j - pairs)};
   }
-  for (Index sweep = 0; sweep < sweeps; ++sweep)
+  std::vector<Influence> others;
+  std::vector<std::size_t> end;
+  for (Index i = 0; i < pairs; ++i) {
+    const std::vector<Influence> of_pair = influences(rows, i, slip_of[at(i)]);
+    others.insert(others.end(), of_pair.begin(), of_pair.end());
+    end.push_back(others.size());
+  }
+  for (Index sweep = 0; sweep < sweeps; ++sweep) {
+    std::size_t k = 0;
     for (Index i = 0; i < pairs; ++i) {
       LonePair& pair = alone[at(i)];
       const Index j = slip_of[at(i)];
-      const double tau = j < 0 ? 0 : force(j);
-      pair.gap = moved(rows, free, force, i) - pair.nn * force(i) - pair.nt * tau;
+      pair.gap = free(i);
+      pair.slip = j < 0 ? 0 : free(j);
+      for (; k < end[at(i)]; ++k) {
+        pair.gap += others[k].gap * force(others[k].row);
+        pair.slip += others[k].slip * force(others[k].row);
+      }
       if (j < 0) {
         force(i) = std::max(0.0, -pair.gap / pair.nn);
         continue;
       }
-      pair.slip = moved(rows, free, force, j) - pair.tn * force(i) - pair.tt * tau;
       const Vector2d found = lone_pair_force(pair);
       force(i) = found.x();
       force(j) = found.y();
     }
+  }
 }
 
 }  // namespace signorini

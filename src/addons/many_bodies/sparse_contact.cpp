@@ -21,8 +21,10 @@ using Eigen::VectorXd;
 constexpr Index most_sets = 50;
 /// Sets from where sweeps have come: those that are near need few.
 constexpr Index few_sets = 12;
-/// Where central paths begin, see CentralPath. One may be short and the other long: it is left where it has more steps than this.
+/// Where central paths begin, see CentralPath. One may be short and the other long: both have some steps, and the one that has come
+/// nearer the others. Sweeps, which cost as much, come before the rest of the farther one.
 constexpr std::array<double, 2> beginnings = {1, 10};
+constexpr Index first_steps = 45;
 constexpr Index most_steps = 90;
 /// How small products have to be for a first guess of the set, for a second and for the last: of what they begin with.
 constexpr std::array<double, 3> small_products = {1e-9, 1e-11, 1e-13};
@@ -43,10 +45,10 @@ class SetSearch {
   std::vector<ContactStatus> guessed(ActiveSetSolution numbers);
   /// The exchange, from what soft pairs do.
   bool from_soft_pairs(SparseContactSolution& found);
-  /// The exchange, from the end of one central path after the other.
-  bool from_central_paths(SparseContactSolution& found);
-  /// The same of one. \param wide  where it begins
-  bool from_central_path(double wide, SparseContactSolution& found);
+  /// The exchange, from what central paths and sweeps lead to.
+  bool from_paths_and_sweeps(SparseContactSolution& found);
+  /// The exchange, from the end of one central path. \param most  of its steps
+  bool from_central_path(CentralPath& path, Index most, SparseContactSolution& found);
   /// The exchange, from where sweeps over the pairs have come, after more and more of them.
   bool from_sweeps(SparseContactSolution& found);
 
@@ -85,12 +87,11 @@ bool SetSearch::from_soft_pairs(SparseContactSolution& found) {
   return exchange(most_sets, found);
 }
 
-bool SetSearch::from_central_path(double wide, SparseContactSolution& found) {
-  CentralPath path(system_.compliance(), system_.units().free, system_.units().law, wide);
-  Index steps = 0;
+bool SetSearch::from_central_path(CentralPath& path, Index most, SparseContactSolution& found) {
   for (const double part : small_products) {
-    const bool reached = path.follow(part, most_steps);
-    found.steps += path.steps() - std::exchange(steps, path.steps());
+    const Index before = path.steps();
+    const bool reached = path.follow(part, most);
+    found.steps += path.steps() - before;
     if (!reached) return false;
     ActiveSetSolution near;
     near.force = path.force();
@@ -100,12 +101,17 @@ bool SetSearch::from_central_path(double wide, SparseContactSolution& found) {
   return false;
 }
 
-bool SetSearch::from_central_paths(SparseContactSolution& found) {
+bool SetSearch::from_paths_and_sweeps(SparseContactSolution& found) {
   const FrictionLaw& law = system_.units().law;
-  if (largest(system_.units().free) == 0) return false;
-  if (!((law.coefficient + law.cohesion).array() > 0).all()) return false;
-  return std::any_of(beginnings.begin(), beginnings.end(),
-                     [&](double wide) { return from_central_path(wide, found); });
+  if (largest(system_.units().free) == 0 || !((law.coefficient + law.cohesion).array() > 0).all())
+    return from_sweeps(found);
+  CentralPath narrow(system_.compliance(), system_.units().free, law, beginnings[0]);
+  if (from_central_path(narrow, first_steps, found)) return true;
+  CentralPath wide(system_.compliance(), system_.units().free, law, beginnings[1]);
+  if (from_central_path(wide, first_steps, found)) return true;
+  const bool swap = wide.level() < narrow.level();
+  return from_central_path(swap ? wide : narrow, most_steps, found) || from_sweeps(found) ||
+         from_central_path(swap ? narrow : wide, most_steps, found);
 }
 
 bool SetSearch::from_sweeps(SparseContactSolution& found) {
@@ -132,7 +138,7 @@ std::optional<SparseContactSolution> SetSearch::run(const std::vector<ContactSta
   SparseContactSolution found;
   found.statuses = start;
   const bool solved = !start.empty() ? exchange(most_sets, found)
-                      : system_.alone() ? from_central_paths(found) || from_sweeps(found)
+                      : system_.alone() ? from_paths_and_sweeps(found)
                                         : from_soft_pairs(found);
   if (!solved) return std::nullopt;
   system_.write(found);
