@@ -64,8 +64,8 @@ def live(text, name):
         return ""
     path = str(found[0].relative_to(text.book.root))
     wide, narrow = text.book.rooms.get(name, ROOM)
-    return '<div class="live" data-figure="%s" data-source="%s.html" data-label="live/%s.cpp" %s></div>' % (
-        name, text.book.source_page(path), name, 'style="--room:%dpx;--room-phone:%dpx"' % (wide, narrow))
+    return '<div class="live" data-figure="%s" id="live-%s" data-source="%s.html" data-label="live/%s.cpp" %s></div>' % (
+        name, name, text.book.source_page(path), name, 'style="--room:%dpx;--room-phone:%dpx"' % (wide, narrow))
 
 
 def box(text, lines):

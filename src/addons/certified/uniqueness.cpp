@@ -83,9 +83,9 @@ bool bound_excludes_others(const ScaledProblem& problem) {
   const VectorXd answer = T.rowwise().sum();
   const double least = coupled ? answer.dot(T * answer) / answer.squaredNorm() : 0;
   if (coupled && takes_all(problem, least)) return false;
+  if (!excludes(least)) return false;  // already without what C takes, as with redundant forces
   const CholeskyFactor tangential(T);
-  if (!tangential.positive()) return false;
-  if (!coupled) return excludes(0);
+  if (!tangential.positive() || !coupled) return tangential.positive();
   S.noalias() -= C * tangential.solve_columns(C.transpose());
   return excludes(T.cwiseAbs().rowwise().sum().maxCoeff()) ||
          (excludes(least) && excludes(symmetric_eigenvalues(T).maxCoeff()));

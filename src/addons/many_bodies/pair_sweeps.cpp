@@ -47,6 +47,38 @@ std::vector<Influence> influences(const SparseMatrix& rows, Index i, Index j) {
   return both;
 }
 
+/// One of the pairs that are swept over.
+struct SweptPair {
+  LonePair alone;
+  Index slip = -1;         // its row, if the pair has friction
+  std::ptrdiff_t end = 0;  // of what others add to it
+};
+
+/// All of them, and what others add to each, one pair after the other.
+struct SweptPairs {
+  std::vector<SweptPair> pairs;
+  std::vector<Influence> others;
+};
+
+SweptPairs swept_pairs(const SparseMatrix& compliance, const FrictionLaw& law, Index pairs) {
+  const SparseMatrix rows = compliance.transpose();  // by rows: F need not be symmetric
+  SweptPairs all{std::vector<SweptPair>(at(pairs)), {}};
+  for (Index i = 0; i < pairs; ++i) all.pairs[at(i)].alone.nn = compliance.coeff(i, i);
+  for (std::size_t k = 0; k < law.pair.size(); ++k) {
+    const Index i = law.pair[k];
+    const Index j = all.pairs[at(i)].slip = pairs + static_cast<Index>(k);
+    all.pairs[at(i)].alone = {
+        0, 0, compliance.coeff(i, i), compliance.coeff(i, j), compliance.coeff(j, i),
+        compliance.coeff(j, j), law.coefficient(j - pairs), law.cohesion(j - pairs)};
+  }
+  for (Index i = 0; i < pairs; ++i) {
+    const std::vector<Influence> of_pair = influences(rows, i, all.pairs[at(i)].slip);
+    all.others.insert(all.others.end(), of_pair.begin(), of_pair.end());
+    all.pairs[at(i)].end = static_cast<std::ptrdiff_t>(all.others.size());
+  }
+  return all;
+}
+
 }  // namespace
 
 Vector2d lone_pair_force(const LonePair& pair) {
@@ -71,34 +103,17 @@ Vector2d lone_pair_force(const LonePair& pair) {
 
 void sweep_pairs(const SparseMatrix& compliance, const VectorXd& free, const FrictionLaw& law,
                  Index sweeps, VectorXd& force) {
-  const SparseMatrix rows = compliance.transpose();  // by rows: F need not be symmetric
   const Index pairs = free.size() - static_cast<Index>(law.pair.size());
-  std::vector<Index> slip_of(at(pairs), -1);
-  std::vector<LonePair> alone(at(pairs));
-  for (Index i = 0; i < pairs; ++i) alone[at(i)].nn = compliance.coeff(i, i);
-  for (std::size_t k = 0; k < law.pair.size(); ++k) {
-    const Index i = law.pair[k];
-    const Index j = slip_of[at(i)] = pairs + static_cast<Index>(k);
-    alone[at(i)] = {0, 0, compliance.coeff(i, i), compliance.coeff(i, j), compliance.coeff(j, i),
-                    compliance.coeff(j, j), law.coefficient(j - pairs), law.cohesion(j - pairs)};
-  }
-  std::vector<Influence> others;
-  std::vector<std::size_t> end;
-  for (Index i = 0; i < pairs; ++i) {
-    const std::vector<Influence> of_pair = influences(rows, i, slip_of[at(i)]);
-    others.insert(others.end(), of_pair.begin(), of_pair.end());
-    end.push_back(others.size());
-  }
+  SweptPairs all = swept_pairs(compliance, law, pairs);
   for (Index sweep = 0; sweep < sweeps; ++sweep) {
-    std::size_t k = 0;
+    auto other = all.others.cbegin();
     for (Index i = 0; i < pairs; ++i) {
-      LonePair& pair = alone[at(i)];
-      const Index j = slip_of[at(i)];
+      auto& [pair, j, end] = all.pairs[at(i)];
       pair.gap = free(i);
       pair.slip = j < 0 ? 0 : free(j);
-      for (; k < end[at(i)]; ++k) {
-        pair.gap += others[k].gap * force(others[k].row);
-        pair.slip += others[k].slip * force(others[k].row);
+      for (; other != all.others.cbegin() + end; ++other) {
+        pair.gap += other->gap * force(other->row);
+        pair.slip += other->slip * force(other->row);
       }
       if (j < 0) {
         force(i) = std::max(0.0, -pair.gap / pair.nn);
