@@ -60,7 +60,7 @@ class Deck:
 
     def outside(self, inside):
         """Links within the chapter lead to the chapter; no anchor is there twice."""
-        inside = re.sub(r' id="[^"]*"', "", inside)
+        inside = re.sub(r' id="(?!live-)[^"]*"', "", inside)
         inside = re.sub(r'<a class="self".*?</a>', "", inside)
         return re.sub(r'href="#', 'href="%s.html#' % self.page, inside)
 
