@@ -196,6 +196,28 @@ TEST_CASE("a solution on the turned branch warns of the others", "[friction][har
   CHECK(reversed(ContactStatus::SlipForward));  // 1 - 2 mu < 0
 }
 
+TEST_CASE("slips that answer forces alike by little prove nothing of forces that are not alike",
+          "[friction][hard]") {
+  // The largest eigenvalue of what slips answer is 20, and that of two forces that are alike 0.5: with this in its place the
+  // bound would prove one answer for both coefficients.
+  MatrixXd F = MatrixXd::Identity(4, 4);
+  F(0, 2) = F(2, 0) = 2;
+  F(0, 3) = F(3, 0) = -2;
+  F.bottomRightCorner(2, 2) << 10.25, -9.75, -9.75, 10.25;
+  const auto verdict = [&](double mu, std::size_t answers) {
+    const ContactProblem problem{
+        F, Eigen::Vector2d(0.1, 100), Eigen::Vector2d(3, 0),
+        law_of_all(Eigen::Vector2d::Constant(mu), Eigen::Vector2d::Zero())};
+    CHECK(all_solutions(problem).size() == answers);
+    const ContactState state = solve_with_proofs(problem, friction_solvers().front());
+    REQUIRE(state.report.status == SolveStatus::Solved);
+    return state.uniqueness;
+  };
+  CHECK(verdict(0.6, 3) == Uniqueness::Doubtful);  // 1 - 2 mu < 0
+  CHECK(verdict(0.45, 1) == Uniqueness::Unknown);
+  CHECK(verdict(0.2, 1) == Uniqueness::Proved);  // 0.6 - 5 mu^2 > 0
+}
+
 TEST_CASE("others are said to exist where they do", "[friction][hard]") {
   Random random(78);
   int several = 0, told = 0;
