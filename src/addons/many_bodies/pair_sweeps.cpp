@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <vector>
 
 #include "signorini/core/index.hpp"
@@ -22,29 +23,23 @@ Vector2d sliding(const LonePair& pair, double sign) {
   return {normal, sign * (pair.coefficient * normal + pair.cohesion)};
 }
 
-/// What the force of a row adds to the gap and the slip of a pair, for 1 of it.
+/// What the force of another pair's row adds to a pair, for 1 of it.
 struct Influence {
-  Index row;
-  double gap;
-  double slip;
+  Index row = 0;
+  double gap = 0;
+  double slip = 0;
 };
 
-/// What the forces of others add to a pair: entries of its two rows, by columns. \param j  row of its slip, or -1
+/// \param i  row of the gap \param j  of the slip, or -1 \return what the rows of others add, by their numbers
 std::vector<Influence> influences(const SparseMatrix& rows, Index i, Index j) {
-  std::vector<Influence> all;
-  for (SparseMatrix::InnerIterator it(rows, i); it; ++it)
-    if (it.row() != i && it.row() != j) all.push_back({it.row(), it.value(), 0});
-  if (j < 0) return all;
-  std::vector<Influence> both;
-  auto gap = all.begin();
-  for (SparseMatrix::InnerIterator it(rows, j); it; ++it) {
-    if (it.row() == i || it.row() == j) continue;
-    for (; gap != all.end() && gap->row < it.row(); ++gap) both.push_back(*gap);
-    const bool same = gap != all.end() && gap->row == it.row();
-    both.push_back({it.row(), same ? gap++->gap : 0, it.value()});
-  }
-  both.insert(both.end(), gap, all.end());
-  return both;
+  std::map<Index, Influence> of_row;
+  for (SparseMatrix::InnerIterator it(rows, i); it; ++it) of_row[it.row()].gap = it.value();
+  if (j >= 0)
+    for (SparseMatrix::InnerIterator it(rows, j); it; ++it) of_row[it.row()].slip = it.value();
+  std::vector<Influence> others;
+  for (const auto& [row, influence] : of_row)
+    if (row != i && row != j) others.push_back({row, influence.gap, influence.slip});
+  return others;
 }
 
 /// One of the pairs that are swept over.

@@ -21,10 +21,10 @@ using Eigen::VectorXd;
 constexpr Index most_sets = 50;
 /// Sets from where sweeps have come: those that are near need few.
 constexpr Index few_sets = 12;
-/// Where central paths begin, see CentralPath. One may be short and the other long: both have some steps, and the one that has come
-/// nearer the others. Sweeps, which cost as much, come before the rest of the farther one.
-constexpr std::array<double, 2> beginnings = {1, 10};
-constexpr Index first_steps = 45;
+/// Gaps at the beginning of two central paths, see CentralPath: one may be short where the other is long.
+constexpr double narrow_gaps = 1;
+constexpr double wide_gaps = 10;
+/// Steps of a path, each with one factor. After half of them sweeps, which cost as much, come before the path that is farther off.
 constexpr Index most_steps = 90;
 /// How small products have to be for a first guess of the set, for a second and for the last: of what they begin with.
 constexpr std::array<double, 3> small_products = {1e-9, 1e-11, 1e-13};
@@ -105,13 +105,15 @@ bool SetSearch::from_paths_and_sweeps(SparseContactSolution& found) {
   const FrictionLaw& law = system_.units().law;
   if (largest(system_.units().free) == 0 || !((law.coefficient + law.cohesion).array() > 0).all())
     return from_sweeps(found);
-  CentralPath narrow(system_.compliance(), system_.units().free, law, beginnings[0]);
-  if (from_central_path(narrow, first_steps, found)) return true;
-  CentralPath wide(system_.compliance(), system_.units().free, law, beginnings[1]);
-  if (from_central_path(wide, first_steps, found)) return true;
-  const bool swap = wide.level() < narrow.level();
-  return from_central_path(swap ? wide : narrow, most_steps, found) || from_sweeps(found) ||
-         from_central_path(swap ? narrow : wide, most_steps, found);
+  CentralPath narrow(system_.compliance(), system_.units().free, law, narrow_gaps);
+  CentralPath wide(system_.compliance(), system_.units().free, law, wide_gaps);
+  if (from_central_path(narrow, most_steps / 2, found)) return true;
+  if (from_central_path(wide, most_steps / 2, found)) return true;
+  const bool in_order = narrow.level() <= wide.level();
+  CentralPath& nearer = in_order ? narrow : wide;
+  CentralPath& farther = in_order ? wide : narrow;
+  return from_central_path(nearer, most_steps, found) || from_sweeps(found) ||
+         from_central_path(farther, most_steps, found);
 }
 
 bool SetSearch::from_sweeps(SparseContactSolution& found) {

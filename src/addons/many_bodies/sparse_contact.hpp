@@ -39,7 +39,7 @@ struct SparseContactSolution {
 /// Newton's method for the projections of contact, as primal_dual_active_set(), on the whole system with a sparse factor.
 ///
 /// The first set is what soft pairs do: all are closed, and each gives way by as much as it is scaled by. Where there is no x, as
-/// of rigid bodies, it is where the CentralPath ends; if that leads nowhere, what sweep_pairs() lead to, and where the sets run
+/// of rigid bodies, it is where a CentralPath ends; if that leads nowhere, what sweep_pairs() lead to, and where the sets run
 /// in circles, what more sweeps do. Sweeps that have ended by themselves are a claim as well.
 ///
 /// Every set is solved with a factor of a matrix that is regular by \f$ \epsilon^{3/4} \f$ on its diagonal, and refined from the
