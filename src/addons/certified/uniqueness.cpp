@@ -49,15 +49,6 @@ UniquenessWarning warning_of_set(const ScaledProblem& problem, const ActiveSet& 
   return most;
 }
 
-/// Whether mu |T| mu / 4 leaves nothing of a diagonal entry of G. \param least  |T| or less
-bool takes_all(const ScaledProblem& problem, double least) {
-  for (Index k = 0; k < problem.law.coefficient.size(); ++k)
-    if (const Index pair = problem.law.pair[at(k)];
-        0.25 * least * std::pow(problem.law.coefficient(k), 2) > problem.compliance(pair, pair))
-      return true;
-  return false;
-}
-
 /// Whether G - C T^-1 C^T - mu |T| mu / 4 is positive definite, beyond rounding. The eigenvalues that say |T| cost most: a bound of it
 /// from above may be enough to show that it is, and one from below that it is not.
 bool bound_excludes_others(const ScaledProblem& problem) {
@@ -82,7 +73,6 @@ bool bound_excludes_others(const ScaledProblem& problem) {
   const bool coupled = !C.isZero(0);
   const VectorXd answer = T.rowwise().sum();
   const double least = coupled ? answer.dot(T * answer) / answer.squaredNorm() : 0;
-  if (coupled && takes_all(problem, least)) return false;
   if (!excludes(least)) return false;  // already without what C takes, as with redundant forces
   const CholeskyFactor tangential(T);
   if (!tangential.positive() || !coupled) return tangential.positive();

@@ -115,6 +115,7 @@ bool is_complete(const Condensed& condensed) {
   const ContactProblem& problem = condensed.problem;
   return problem.compliance.rows() == problem.free_gap.size() + problem.free_slip.size();
 }
+
 // What was left out is made with the factor that is there, and the phase goes on. Rigid motions had
 // been left, too.
 Condensed completed(const Model& model, Condensed condensed, Ledger& ledger) {
