@@ -23,7 +23,8 @@ void test_class() {
   for (const Solver& solver : members) {
     std::string wrong;
     int count = 0;
-    for (std::size_t i = 0; i < instances.size(); i += instances.size() > 20 ? sample_step : 1) {
+    const std::size_t step = instances.size() > 20 ? sample_step : 1;  // few are no sample
+    for (std::size_t i = 0; i < instances.size(); i += step) {
       const Instance& instance = instances[i];
       if (!takes_part(solver, instance)) continue;
       const std::string one = complaint(solver, group.traits, instance);

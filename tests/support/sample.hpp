@@ -11,8 +11,8 @@ constexpr bool sanitized = __has_feature(address_sanitizer);
 constexpr bool sanitized = false;
 #endif
 
-/// Every how manieth. Under the sanitizers one of them takes ten to twenty times its time; what they find, reads and writes
-/// that are out of place, a few show as well as all.
+/// From one member that is looked at to the next. Under the sanitizers each takes ten to twenty times as long, and errors of memory
+/// are found by a few of them.
 constexpr int sample_step = sanitized ? 7 : 1;
 
 }  // namespace signorini_test
