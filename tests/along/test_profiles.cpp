@@ -75,10 +75,10 @@ TEST_CASE("profiles of a circle converge to it: polylines as h^2, splines as h^4
   CHECK(coarse <= 1.01 * h * h / 16);
   CHECK(coarse >= 0.8 * h * h / 16);
   CHECK(turned <= 1.01 * h / 4);
-  CHECK(coarse / errors(polyline(arc(80))).first == Approx(4).epsilon(0.1));
+  CHECK(coarse / errors(polyline(arc(80))).first == Approx(4).epsilon(0.001));
   const auto [smooth, smooth_turned] = errors(spline(arc(40)));
-  CHECK(smooth / errors(spline(arc(80))).first == Approx(16).epsilon(0.15));
-  CHECK(smooth_turned / errors(spline(arc(80))).second == Approx(8).epsilon(0.15));
+  CHECK(smooth / errors(spline(arc(80))).first == Approx(16).epsilon(0.002));
+  CHECK(smooth_turned / errors(spline(arc(80))).second == Approx(8).epsilon(0.002));
   CHECK(smooth < 1e-3 * coarse);
 }
 
@@ -90,8 +90,8 @@ TEST_CASE("a spline errs by less than half of what a polyline does in its last p
   const double step = 2.1 / 40;
   const Obstacle profile = spline(arc(40));
   const double chord = 4 * step * step / 16;
-  CHECK(errors(profile, 0.5, 0.5 + step).first == Approx(0.393 * chord).epsilon(0.02));
-  CHECK(errors(profile, 2.6 - step, 2.6).first == Approx(0.393 * chord).epsilon(0.02));
+  CHECK(errors(profile, 0.5, 0.5 + step).first == Approx(0.393 * chord).epsilon(0.001));
+  CHECK(errors(profile, 2.6 - step, 2.6).first == Approx(0.393 * chord).epsilon(0.001));
   CHECK(errors(profile, 0.5 + 2 * step, 2.6 - 2 * step).first < 0.04 * chord);
   CHECK(errors(profile, 0.5 + 6 * step, 2.6 - 6 * step).first < 2e-4 * chord);
 }

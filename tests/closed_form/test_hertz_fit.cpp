@@ -125,7 +125,7 @@ TEST_CASE(
     // What is left: the root of 1 + 2 h^2 / (3 b^2) has the next term -h^2 / (6 b^2), -0.0017 with 10 edges; and the mean of
     // (x - x_i)(x_{i+1} - x) under a pressure that ends as a root has one of order (h/b)^1.5, 0.03 with 10 edges times 0.05 as 10, 20
     // and 40 edges agree. Either is less than a tenth of the margin.
-    CHECK((bare(x, f) / b - 1) * 3 * n * n == Approx(1).margin(0.02));
+    CHECK((bare(x, f) / b - 1) * 3 * n * n == Approx(1).margin(0.0005));
     const double error = std::abs(half_width_of_forces(x, f) / b - 1);
     CHECK(error < before / 8);  // better than third order
     before = error;

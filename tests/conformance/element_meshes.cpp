@@ -136,7 +136,7 @@ TEST_CASE("every element: displacements converge with degree + 1 on bent meshes"
     const double coarse = manufactured_error(element, n);
     const double fine = manufactured_error(element, 2 * n);
     CAPTURE(element.name, coarse, fine);
-    CHECK(std::log2(coarse / fine) == Approx(element.degree + 1).margin(0.15));
+    CHECK(std::log2(coarse / fine) == Approx(element.degree + 1).margin(0.05));
     CHECK(fine < 1e-2);
   }
 }

@@ -66,8 +66,8 @@ void check_hertz(const SolvedScene& run, const PointContact& theory) {
         Approx(theory.force).epsilon(1e-10));
   const double a = hertz_radius(theory);
   const Ellipse ellipse = ellipse_of(run, a);
-  CHECK(ellipse.radius == Approx(a).epsilon(0.005));
-  CHECK(ellipse.peak == Approx(hertz_peak_pressure(theory)).epsilon(0.005));
+  CHECK(ellipse.radius == Approx(a).epsilon(0.002));
+  CHECK(ellipse.peak == Approx(hertz_peak_pressure(theory)).epsilon(0.002));
   CHECK(run.solution.pressure.maxCoeff() == Approx(hertz_peak_pressure(theory)).epsilon(0.005));
 }
 

@@ -196,10 +196,10 @@ TEST_CASE("a solution on the turned branch warns of the others", "[friction][har
   CHECK(reversed(ContactStatus::SlipForward));  // 1 - 2 mu < 0
 }
 
-TEST_CASE("slips that answer forces alike by little prove nothing of forces that are not alike",
+TEST_CASE("one solution is proved by the largest eigenvalue of T, not by the answer to equal forces",
           "[friction][hard]") {
-  // The largest eigenvalue of what slips answer is 20, and that of two forces that are alike 0.5: with this in its place the
-  // bound would prove one answer for both coefficients.
+  // The eigenvalues of T are 20, of opposite friction forces, and 0.5, of equal ones. With 0.5 the bound would exclude others for
+  // each of these coefficients.
   MatrixXd F = MatrixXd::Identity(4, 4);
   F(0, 2) = F(2, 0) = 2;
   F(0, 3) = F(3, 0) = -2;
