@@ -72,14 +72,11 @@ void interrupt(const sigset_t& signals, int signal) {
   RunStatus& run = run_status();
   while (!run.files.try_lock_for(std::chrono::milliseconds(100)))
     if (waited(signals, 0) > 0) break;
-  {
-    const std::lock_guard<std::mutex> lock(run.guard);
-    std::cerr << text(erase_line(), "signorini: interrupted after ",
-                      number(run.seconds(), "%.1f s"),
-                      run.doing.empty() ? "" : " (" + run.doing + ')', "; ", run.kept, '\n')
-              << std::flush;
-    for (const auto& last : run.last) last();
-  }
+  const std::lock_guard<std::mutex> lock(run.guard);  // to the end: nothing is said after the word
+  std::cerr << text(erase_line(), "signorini: interrupted after ", number(run.seconds(), "%.1f s"),
+                    run.doing.empty() ? "" : " (" + run.doing + ')', "; ", run.kept, '\n')
+            << std::flush;
+  for (const auto& last : run.last) last();
   std::signal(signal, SIG_DFL);
   pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
   raise(signal);
