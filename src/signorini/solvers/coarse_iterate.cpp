@@ -10,12 +10,11 @@
 //
 // The start may be wrong everywhere. It changes the number of sets and not the solution.
 
-#include "signorini/solvers/coarse_iterate.hpp"
-
 #include <algorithm>
 #include <vector>
 
 #include "signorini/core/index.hpp"
+#include "signorini/solvers/iterate.hpp"
 #include "signorini/solvers/primal_dual_active_set.hpp"
 
 namespace signorini {

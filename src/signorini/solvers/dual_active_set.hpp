@@ -95,7 +95,6 @@ class DualActiveSet {
   bool any_stalled_ = false;
 };
 
-
 /// \param basis      closed rows
 /// \param equations  so many of the first rows are not wanted
 /// \return the others, in increasing order

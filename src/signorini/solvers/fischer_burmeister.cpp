@@ -19,9 +19,7 @@
 
 #include <utility>
 
-#include "signorini/solvers/lemke.hpp"
 #include "signorini/solvers/newton.hpp"
-#include "signorini/solvers/primal_dual_active_set.hpp"
 
 namespace signorini {
 
@@ -37,18 +35,6 @@ ContactState fischer_burmeister(const ContactProblem& problem, const SolverOptio
   follow_newton(scaled, nested_friction,
                 options.iteration_limit > 0 ? options.iteration_limit : most, iterate);
   return finished(problem, scaled, std::move(iterate));
-}
-
-// Rows that repeat each other make the Jacobian singular, so it may fail on them. The primal-dual
-// active set can leave such rows out, and is asked next.
-Solver fischer_burmeister() {
-  return Solver{"fischer_burmeister",
-                "one equation per pair, solved by Newton's method with a line search",
-                fischer_burmeister}
-      .may_fail_on({Trait::Dependent, Trait::Infeasible})
-      .with_friction(Takes::Also)
-      .with_rigid_modes()
-      .before({primal_dual_active_set, lemke});
 }
 
 }  // namespace signorini

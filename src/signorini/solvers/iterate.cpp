@@ -11,16 +11,34 @@
 #include "signorini/solvers/iterate.hpp"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "signorini/core/rounding.hpp"
 #include "signorini/solvers/goldfarb_idnani.hpp"
 
 namespace signorini {
+namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+
+// Opens closed pairs without a force, if that is a solution as well: a pair that only touches holds
+// nothing. One pair with d = 0 is solved by the force 0, whether it is called open or closed, and
+// Newton's method comes to such a pair from either side. Without this, rounding would decide how
+// many pairs are called closed.
+void open_idle_pairs(const ScaledProblem& problem, Iterate& iterate) {
+  const ActiveSetSolution& end = iterate.solution;
+  std::vector<Index> pressed;
+  for (const Index i : closed_pairs(iterate.statuses))
+    if (end.force(i) > end.force_rounding) pressed.push_back(i);
+  if (pressed.size() == end.rows.size()) return;
+  if (Confirmed other = confirmed(problem, pressed, &end))
+    std::tie(iterate.solution, iterate.statuses) = std::move(*other);
+}
+
+}  // namespace
 
 // A method that does not arrive says why, and the user reads it. Where there is no new reason the
 // last one stays.
@@ -100,6 +118,40 @@ Iterate iterate_from(const ScaledProblem& problem, const std::vector<ContactStat
   iterate.solution.amplitude.setZero(problem.rigid.cols());
   iterate.statuses = statuses;
   return iterate;
+}
+
+// A method that only comes near a solution never arrives: a force may be 2.0000001 where it is 2. What
+// the pairs do may be right long before. With G = 1 and d = -1 the force 0.93 has the gap -0.07: it exceeds
+// the gap, the pair is taken as closed, and its equation says 1.
+//
+// The exact end from the statuses of an iterate, or from those which that end asks for: of a pair
+// that touches without force, rounding decides the side. Two tries are made if F is symmetric: the
+// end of the first is itself a step of the primal-dual active set. More tries would make this that
+// method, which can cycle. If F is not symmetric one try is made. Of rows that repeat each other the one whose force
+// exceeds its gap most is closed: the iterate is most certain of it.
+bool ends_exactly(const ScaledProblem& problem, double force_scale, Iterate& iterate) {
+  std::vector<ContactStatus> statuses = iterate.statuses;
+  ActiveSetSolution start = iterate.solution;
+  const bool frictional = !problem.law.pair.empty();
+  if (!frictional) start.force.setZero();
+  for (int trial = 0; trial < (problem.symmetric ? 2 : 1); ++trial) {
+    const ActiveSet set = surest_first(
+        problem, statuses, iterate.solution.movement - force_scale * iterate.solution.force);
+    iterate.report.factorisations += set.closed.empty() ? 0 : 1;
+    ActiveSetSolution end = solve_active_set(problem, set, &start);
+    const std::vector<ContactStatus> closed =
+        frictional ? statuses : statuses_of(end.rows, problem.pairs());
+    if (solves(problem, closed, end)) {
+      iterate.solution = std::move(end);
+      iterate.statuses = closed;
+      iterate.confirmed = true;
+      if (!frictional) open_idle_pairs(problem, iterate);
+      return true;
+    }
+    statuses = closed;
+    if (!end.solvable || predict(problem, end, force_scale, statuses) == 0) return false;
+  }
+  return false;
 }
 
 // Only a confirmed end is called solved. The report may still carry the status of a problem that

@@ -41,12 +41,29 @@ struct Iterate {
 /// \return the point
 [[nodiscard]] Iterate first_iterate(const ScaledProblem& problem);
 
+/// Where to start from. Of many overlapping pairs most will open.
+///
+/// Where 64 pairs or more overlap, every second one of them is solved alone by primal_dual_iterations(), from those of
+/// these again, until few are left; closed at the start are then the pairs between closed ones. It saves most of
+/// the steps, and those that it costs are on smaller problems.
+/// \param problem  scaled; with friction or rigid modes the start is first_iterate()
+/// \return the start; its report counts the factorisations
+[[nodiscard]] Iterate coarse_iterate(const ScaledProblem& problem);
+
 /// Where to start from if a problem like this one is solved: no forces, and what its pairs do.
 /// \param problem   scaled
 /// \param statuses  `n_c`
 /// \return the start
 [[nodiscard]] Iterate iterate_from(const ScaledProblem& problem,
                                    const std::vector<ContactStatus>& statuses);
+
+/// Solves the equations of the statuses of an iterate, and of those which that solution asks for, and keeps the result if it is a
+/// solution. Without friction, pairs that end without a force are open then.
+/// \param problem      scaled
+/// \param force_scale  forces count so many times against gaps
+/// \param[in,out] iterate  numbers and what they say of the pairs; `confirmed` with the solution, else only counts change
+/// \return whether it is one
+[[nodiscard]] bool ends_exactly(const ScaledProblem& problem, double force_scale, Iterate& iterate);
 
 /// The state where a method ended.
 /// \param problem  as it was posed

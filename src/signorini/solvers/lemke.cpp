@@ -16,7 +16,8 @@
 //     z_0 = 3:  w_2 leaves, z_2 enters; z_1 = 2 here
 //     z_0 = 0:  z_0 leaves; z_1 = 3, z_2 = 1
 //
-// The numbers of each dictionary are in [dictionary.cpp](dictionary.cpp).
+// The numbers of each dictionary are in [dictionary.cpp](dictionary.cpp), and what the last one says
+// of the problem in [end_of_pivots.cpp](end_of_pivots.cpp).
 //
 // The method asks little of M. It needs no symmetry and no energy, so it also solves problems with
 // friction: [lemke_path.cpp](lemke_path.cpp). The price is that pairs join one by one, and that
@@ -26,112 +27,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 #include <utility>
 
 #include "signorini/core/errors.hpp"
-#include "signorini/core/rounding.hpp"
-#include "signorini/problem/farkas.hpp"
-#include "signorini/solvers/dictionary.hpp"
+#include "signorini/solvers/end_of_pivots.hpp"
 #include "signorini/solvers/lemke_path.hpp"
 
 namespace signorini {
 namespace {
 
 using Eigen::Index;
-
-// The proof that nothing solves a problem, if forces in a ratio of these give one; otherwise empty.
-// A ray is a direction along which the forces may grow for ever. If M is symmetric and positive
-// semidefinite, these forces y move nothing, \f$ My = 0 \f$, and \f$ q^Ty < 0 \f$. Then the sum of
-// the gaps with the weights y is negative, whatever the forces are: a Farkas certificate. Small
-// entries of y may be rounding, and a proof with them does not hold. The bound below which they are
-// is not known, so it grows tenfold until the proof holds.
-Eigen::VectorXd proof(const ScaledProblem& scaled, const Eigen::VectorXd& direction) {
-  // Some of the smallest entries may be rounding; they are left out digit by digit.
-  for (double small = epsilon; small < 1; small *= 10) {
-    const double least = small * direction.maxCoeff();
-    std::vector<Index> support =
-        by_falling(direction.unaryExpr([=](double x) { return x > least ? x : 0; }));
-    if (support.empty()) break;
-    const Index pair = support.front();
-    support.erase(support.begin());
-    Eigen::VectorXd y = farkas_certificate(scaled, support, pair);
-    if (y.size() > 0) return y;
-  }
-  return {};
-}
-
-// Where a path ended, in scaled numbers.
-struct End {
-  ActiveSetSolution solution;
-  std::vector<ContactStatus> statuses;
-  Report report;
-  Eigen::VectorXd proof = {};
-};
-
-// Forces and gaps of the last basis, from the data. After many pivots the numbers of the dictionary
-// carry their rounding. Only the basis is taken over: which pairs are closed. Their system is then
-// solved from M and q, and all conditions are looked at again. Without that, a wrong basis would be
-// claimed as a solution.
-End end_of_path(const ScaledProblem& scaled, const Dictionary& dictionary, Report report) {
-  const Index n = scaled.free.size();
-  Eigen::VectorXd force = Eigen::VectorXd::Zero(n);
-  std::vector<Index> active;
-  for (Index i = 0; i < n; ++i)
-    if (dictionary.basic(i) >= n) {
-      active.push_back(dictionary.basic(i) - n);
-      force(active.back()) = dictionary.value()(i);
-    }
-  std::sort(active.begin(), active.end());
-  End end{solve_active_set(scaled, ActiveSet{active}), statuses_of(active, n), std::move(report)};
-  end.report.factorisations = active.empty() ? 0 : 1;
-  end.report.status =
-      solves(scaled, end.statuses, end.solution) ? SolveStatus::Solved : SolveStatus::Breakdown;
-  if (end.report.status == SolveStatus::Solved || !scaled.symmetric) return end;
-  // Rounding took a pair that touches without force into the basis, or one that depends on the others.
-  if (end.solution.solvable && end.solution.rows.size() == active.size())
-    force = end.solution.force;
-  if (auto found = confirmed(scaled, by_falling(force))) {
-    end.report.status = SolveStatus::Solved;
-    std::tie(end.solution, end.statuses) = std::move(*found);
-    return end;
-  }
-  end.proof = proof(scaled, force);
-  if (end.proof.size() > 0) end.report.status = SolveStatus::Infeasible;
-  return end;
-}
-
-// Where the path stands, which is no solution; from here it would go on along `direction`. Forces
-// of the basis that rounding made negative are zero here.
-End last_point(const ScaledProblem& scaled, const Dictionary& dictionary, Index entering,
-               const Report& report, Eigen::VectorXd& direction) {
-  const Index n = scaled.free.size();
-  direction.setZero(n);
-  End last{{}, {}, report};
-  last.solution.force.setZero(n);
-  if (entering >= n) direction(entering - n) = 1;
-  const Eigen::VectorXd growth = dictionary.column(entering);
-  for (Index i = 0; i < n; ++i) {
-    const Index force = dictionary.basic(i) - n;
-    if (force < 0 || force == n) continue;
-    direction(force) = growth(i);
-    last.solution.force(force) = std::max(dictionary.value()(i), 0.0);
-  }
-  last.solution.movement = scaled.free + scaled.compliance * last.solution.force;
-  last.statuses = statuses_of(by_falling(last.solution.force), n);
-  return last;
-}
-
-// The state when nothing blocks the entering variable. For a matrix that is not symmetric a ray
-// proves nothing: a solution may exist that this path does not lead to.
-End ray(const ScaledProblem& scaled, const Dictionary& dictionary, Index entering, Report report) {
-  report.status = SolveStatus::Ray;
-  Eigen::VectorXd direction;
-  End end = last_point(scaled, dictionary, entering, report, direction);
-  if (scaled.symmetric) end.proof = proof(scaled, direction);
-  if (end.proof.size() > 0) end.report.status = SolveStatus::Infeasible;
-  return end;
-}
 
 // Every path is finite, but \f$ 2^n \f$ pivots are too many to wait for. The bound stops growing
 // that fast at 20 pairs.
@@ -142,26 +47,25 @@ Index limit_of(Index n, const SolverOptions& options) {
 
 // One path, of at most `limit` pivots. If no pair overlaps without forces there is nothing to do.
 // The limit is looked at last, so that a path that arrives with its last pivot has arrived.
-End pivoted(const ScaledProblem& scaled, const Eigen::VectorXd& covering, Index limit) {
+EndOfPivots pivoted(const ScaledProblem& scaled, const Eigen::VectorXd& covering, Index limit) {
   const Index n = scaled.free.size();
   Report report;
   Dictionary dictionary(scaled, covering);
-  if (n == 0 || (scaled.free.array() >= 0).all()) return end_of_path(scaled, dictionary, report);
+  if (n == 0 || (scaled.free.array() >= 0).all()) return last_basis(scaled, dictionary, report);
   Index entering = dictionary.artificial();
   Index row = dictionary.first_row();
   while (true) {
     const Index leaving = dictionary.basic(row);
     dictionary.pivot(row, entering);
     ++report.iterations;
-    if (leaving == dictionary.artificial()) return end_of_path(scaled, dictionary, report);
+    if (leaving == dictionary.artificial()) return last_basis(scaled, dictionary, report);
     entering = dictionary.partner(leaving);
     row = dictionary.blocking_row(entering);
     if (row < 0) return ray(scaled, dictionary, entering, report);
     if (report.iterations == limit) break;
   }
   report.status = SolveStatus::IterationLimit;
-  Eigen::VectorXd direction;
-  return last_point(scaled, dictionary, entering, report, direction);
+  return last_point(scaled, dictionary, report);
 }
 
 // Ones first; then entries from 1 to 2 in the order of the multiples of the golden section, which
@@ -179,7 +83,7 @@ Eigen::VectorXd covering_of_path(Index n, Index path) {
 }
 
 // Scales back to the units of the problem, where the certificate is computed once more.
-ContactState state_of(const ContactProblem& problem, const ScaledProblem& scaled, End end) {
+ContactState state_of(const ContactProblem& problem, const ScaledProblem& scaled, EndOfPivots end) {
   return finished(problem, scaled, end.solution, end.statuses, std::move(end.report),
                   std::move(end.proof));
 }
@@ -205,34 +109,24 @@ ContactState lemke(const ContactProblem& problem, const Eigen::VectorXd& coverin
 // may be twice as long as the one before. If every vector needed the same number of pivots, the
 // paths that are left would cost less than twice that number.
 ContactState lemke(const ContactProblem& problem, const SolverOptions& options) {
+  if (problem.resultant.size() > 0) check_problem(problem);
+  const ScaledProblem scaled = equilibrate_any(problem);
   if (!problem.law.pair.empty() || problem.resultant.size() > 0) {
-    if (problem.resultant.size() > 0) check_problem(problem);
-    const ScaledProblem scaled = equilibrate_any(problem);
     Iterate iterate = first_iterate(scaled);
     follow_pivots(scaled, options, iterate);
     return finished(problem, scaled, std::move(iterate));
   }
-  const ScaledProblem scaled = equilibrate_any(problem);
   const Index n = problem.free_gap.size();
   const Index limit = limit_of(n, options);
   Index pivots = 0;
   Index length = n * n + 100 * n;
   for (Index path = 0;; ++path) {
-    End end = pivoted(scaled, covering_of_path(n, path), std::min(length, limit - pivots));
+    EndOfPivots end = pivoted(scaled, covering_of_path(n, path), std::min(length, limit - pivots));
     pivots = end.report.iterations += pivots;
     if (end.report.status != SolveStatus::IterationLimit || pivots >= limit)
       return state_of(problem, scaled, std::move(end));
     length *= 2;
   }
-}
-
-// It takes any matrix, and nothing is asked after it: it is the last member of a portfolio.
-Solver lemke() {
-  return Solver{"lemke",
-                "complementary pivoting along a path, ties lexicographic; any square matrix", lemke}
-      .may_fail_on({Trait::IllConditioned, Trait::Slow})
-      .with_friction(Takes::Also)
-      .with_rigid_modes();
 }
 
 }  // namespace signorini

@@ -17,7 +17,7 @@
 // *The end is exact.* Newton's method comes near the solution, and the signs of what is nearly zero
 // stay open. So two iterates that agree on what every pair does are taken as a guess of the closed
 // pairs. Their linear system is solved exactly, and all conditions are looked at. Where they do not
-// hold, the steps go on from where they were.
+// hold, the steps go on from where they were: ends_exactly() in [iterate.cpp](iterate.cpp).
 //
 // For the one pair with G = 1 and d = -1, \f$ \lambda = 0 \f$ has \f$ \Phi = 2 \f$ and the first
 // step \f$ \lambda = 2/3 \f$ has 0.41. No such step is made: the pair overlaps at the start, the
@@ -25,10 +25,7 @@
 
 #include "signorini/solvers/newton.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <tuple>
-#include <utility>
 
 #include "signorini/core/dense.hpp"
 #include "signorini/core/line_search.hpp"
@@ -107,50 +104,6 @@ class Newton {
   double merit_ = 0;
 };
 
-// Opens closed pairs without a force, if that is a solution as well: a pair that only touches holds
-// nothing. One pair with d = 0 is solved by the force 0, whether it is called open or closed, and
-// Newton's method comes to such a pair from either side. Without this, rounding would decide how
-// many pairs are called closed.
-void open_idle_pairs(const ScaledProblem& problem, Iterate& iterate) {
-  const ActiveSetSolution& end = iterate.solution;
-  std::vector<Index> pressed;
-  for (const Index i : closed_pairs(iterate.statuses))
-    if (end.force(i) > end.force_rounding) pressed.push_back(i);
-  if (pressed.size() == end.rows.size()) return;
-  if (Confirmed other = confirmed(problem, pressed, &end))
-    std::tie(iterate.solution, iterate.statuses) = std::move(*other);
-}
-
-// The exact end from the statuses of an iterate, or from those which that end asks for: of a pair
-// that touches without force, rounding decides the side. Two tries are made if F is symmetric: the
-// end of the first is itself a step of the primal-dual active set. More tries would make this that
-// method, which can cycle. If F is not symmetric one try is made. Of rows that repeat each other the one whose force
-// exceeds its gap most is closed: the iterate is most certain of it.
-bool ends(const ScaledProblem& problem, double force_scale, Iterate& iterate) {
-  std::vector<ContactStatus> statuses = iterate.statuses;
-  ActiveSetSolution start = iterate.solution;
-  const bool frictional = !problem.law.pair.empty();
-  if (!frictional) start.force.setZero();
-  for (int trial = 0; trial < (problem.symmetric ? 2 : 1); ++trial) {
-    const ActiveSet set = surest_first(
-        problem, statuses, iterate.solution.movement - force_scale * iterate.solution.force);
-    iterate.report.factorisations += set.closed.empty() ? 0 : 1;
-    ActiveSetSolution end = solve_active_set(problem, set, &start);
-    const std::vector<ContactStatus> closed =
-        frictional ? statuses : statuses_of(end.rows, problem.pairs());
-    if (solves(problem, closed, end)) {
-      iterate.solution = std::move(end);
-      iterate.statuses = closed;
-      iterate.confirmed = true;
-      if (!frictional) open_idle_pairs(problem, iterate);
-      return true;
-    }
-    statuses = closed;
-    if (!end.solvable || predict(problem, end, force_scale, statuses) == 0) return false;
-  }
-  return false;
-}
-
 }  // namespace
 
 // Steps are taken until the statuses settle (two iterates agree), until the residual is rounding,
@@ -190,7 +143,7 @@ void follow_newton(const ScaledProblem& problem, const Formulation& form, Index 
       report.history.push_back(entry);
       continue;
     }
-    if (ends(problem, unit, iterate)) return;
+    if (ends_exactly(problem, unit, iterate)) return;
     last_changes = 0;
     report.status = limited ? SolveStatus::IterationLimit : SolveStatus::Breakdown;
     iterate.reason = limited

@@ -39,10 +39,7 @@
 #include <utility>
 #include <vector>
 
-#include "signorini/solvers/coarse_iterate.hpp"
-#include "signorini/solvers/fischer_burmeister.hpp"
-#include "signorini/solvers/lemke.hpp"
-#include "signorini/solvers/quasi_active_set.hpp"
+#include "signorini/solvers/iterate.hpp"
 
 namespace signorini {
 namespace {
@@ -126,30 +123,17 @@ ContactState primal_dual_active_set(const ContactProblem& problem, const SolverO
   const Index asked = options.iteration_limit;
   const Index most = most_exchanges(scaled);
   const Index limit = asked == 0 ? most : frictional ? asked : std::min(asked, most);
-  const bool warm = static_cast<Index>(options.start.size()) == scaled.pairs();
-  Iterate iterate = warm ? iterate_from(scaled, options.start) : coarse_iterate(scaled);
-  primal_dual_iterations(scaled, limit, iterate);
-  if (warm && asked == 0 && !iterate.confirmed) {
-    Iterate again = coarse_iterate(scaled);
-    append(again.report, iterate.report);
-    iterate = std::move(again);
+  Iterate iterate;
+  if (static_cast<Index>(options.start.size()) == scaled.pairs()) {
+    iterate = iterate_from(scaled, options.start);
     primal_dual_iterations(scaled, limit, iterate);
+    if (iterate.confirmed || asked > 0) return finished(problem, scaled, std::move(iterate));
   }
+  const Report so_far = std::move(iterate.report);
+  iterate = coarse_iterate(scaled);
+  append(iterate.report, so_far);
+  primal_dual_iterations(scaled, limit, iterate);
   return finished(problem, scaled, std::move(iterate));
-}
-
-// The method is fast where it arrives. The three others arrive more surely: quasi_active_set()
-// raises an energy with each set, fischer_burmeister() shortens its steps until a residual falls,
-// and lemke() follows a path that cannot cycle.
-Solver primal_dual_active_set() {
-  return Solver{
-      "primal_dual_active_set",
-      "whole groups of pairs change what they do; another method where that does not arrive",
-      primal_dual_active_set}
-      .may_fail_on({Trait::Asymmetric})
-      .with_friction(Takes::Also)
-      .with_rigid_modes()
-      .before({quasi_active_set, fischer_burmeister, lemke});
 }
 
 }  // namespace signorini

@@ -122,12 +122,4 @@ ContactState goldfarb_idnani(const ContactProblem& problem, const SolverOptions&
   return grow_active_set(problem, options, DualActiveSet::Step::Single, "goldfarb_idnani");
 }
 
-// The dual energy belongs to a symmetric matrix. Without symmetry there is nothing that rises.
-Solver quasi_active_set() {
-  return Solver{"quasi_active_set",
-                "whole groups of violated pairs join while the dual energy rises: finite and exact",
-                quasi_active_set}
-      .may_fail_on({Trait::Asymmetric});
-}
-
 }  // namespace signorini

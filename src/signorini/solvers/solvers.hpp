@@ -1,7 +1,7 @@
 /// \file
 /// What a solver is. To add one: write `NAME.cpp` with a function of this signature, declare
 /// it in `NAME.hpp` and add its line to the table in papers/solver_table.cpp; the conformance suite finds it.
-/// A member that is the default of something, or that another one asks, is returned by a function of its name.
+/// A member that is the default of something, or that another one asks, is returned by a function of its name in members.cpp.
 #pragma once
 #include <string>
 #include <utility>
