@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "addons/many_bodies/powers_of_two.hpp"
 #include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/core/sparse_lu.hpp"

@@ -7,7 +7,6 @@
 #include <set>
 #include <utility>
 
-#include "addons/many_bodies/powers_of_two.hpp"
 #include "addons/programme/programme_rows.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/index.hpp"

@@ -2,6 +2,7 @@
 /// Numbers and the few words with which sources speak of rounding.
 #pragma once
 #include <Eigen/Core>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -24,6 +25,12 @@ inline double ratio(double part, double whole) { return part == 0 ? 0 : part / w
 /// \return the largest |v_i|, 0 if there are none
 inline double largest(const Eigen::Ref<const Eigen::VectorXd>& v) {
   return v.size() == 0 ? 0 : v.cwiseAbs().maxCoeff();
+}
+
+/// \param scale  entries > 0
+/// \return the nearest powers of two: multiplying by them rounds nothing
+[[nodiscard]] inline Eigen::VectorXd powers_of_two(const Eigen::VectorXd& scale) {
+  return scale.unaryExpr([](double s) { return std::exp2(std::round(std::log2(s))); });
 }
 
 /// Halves an interval until rounding leaves nothing between its ends.
