@@ -47,7 +47,9 @@ void declare_mesh(CLI::App& app, Request& request) {
 /// The files that a run may write.
 void declare_files(CLI::App& solve, signorini::Output& output) {
   const auto add = [&](const char* option, std::string& into, const char* type, const char* what) {
-    solve.add_option(option, into, what)->type_name(type);
+    solve.add_option(option, into, what)->type_name(type)->check([](const std::string& name) {
+      return std::string(name == "-" ? "expected the name of a file, got '-'" : "");
+    });
   };
   add("--vtu", output.vtu, "FILE",
       "meshes and fields, for ParaView, with pressure, traction and status of contact; of load "
@@ -77,7 +79,8 @@ void declare_solve(CLI::App& app, Request& request) {
       "a name of --list: who factors the stiffness matrix; mpirun -np N gives mumps N processes")
       ->capture_default_str();
   add("--threads", request.threads, "NUMBER",
-      "how many threads assemble, factor and refine: with any, numbers are the same to the last bit; "
+      "how many threads assemble, factor and refine: with any, numbers are the same to the last "
+      "bit; "
       "without it one for each core, and one in each process of mpirun");
   declare_files(*solve, request.output);
   add("--from", request.from, "FILE",

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
 
 namespace signorini {
 
@@ -38,14 +39,18 @@ const std::vector<Index>& region(const Mesh& mesh, const std::string& name) {
 /// materials matters, cells must end on it.
 Mesh with_region(Mesh mesh, const std::string& name, const Eigen::Vector2d& low,
                  const Eigen::Vector2d& high) {
+  // Corners were rounded where the mesh was made, and their mean is again: a middle on the edge belongs in all units.
+  const double rounding =
+      8 * epsilon * (mesh.nodes.size() > 0 ? mesh.nodes.cwiseAbs().maxCoeff() : 0);
   std::vector<Index> cells;
   for (Index cell = 0; cell < mesh.n_cells(); ++cell) {
-    Eigen::Vector2d middle(0, 0);
+    Eigen::Array2d middle(0, 0);
     const int n = mesh.corners(cell);
-    for (int k = 0; k < n; ++k) middle += mesh.nodes.row(mesh.cells(cell, k)).transpose() / n;
+    for (int k = 0; k < n; ++k)
+      middle += mesh.nodes.row(mesh.cells(cell, k)).transpose().array() / n;
     // With `<=` at both ends a middle that lies on the common line of two regions is in both.
     // Two layers of a body must not share a cell; the message then says which one they share.
-    if ((middle.array() >= low.array()).all() && (middle.array() <= high.array()).all())
+    if ((middle >= low.array() - rounding).all() && (middle <= high.array() + rounding).all())
       cells.push_back(cell);
   }
   require_input(!cells.empty(), "region '", name, "' of '", mesh.name,

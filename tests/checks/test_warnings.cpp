@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "addons/checks/warnings.hpp"
+#include "addons/files/scene_file.hpp"
 #include "catch_compat.hpp"
 #include "meshes/ring.hpp"
 #include "signorini/core/rounding.hpp"
@@ -27,7 +28,8 @@ const char* const warnings[] = {
     "zero everywhere",        "no force and no moment", "no node of the boundary faces",
     "can open or close",      "lie behind the target",  "no pair carries a force",
     "deformations for small", "forces of single pairs", "straight edges of the target",
-    "has closed a gap of",    "is thick there",         "Where the bodies have moved to"};
+    "has closed a gap of",    "is thick there",         "Where the bodies have moved to",
+    "do not balance, by",     "has no share of the side"};
 
 bool has_all(const std::string& line, const std::vector<std::string>& words) {
   return std::all_of(words.begin(), words.end(), [&line](const std::string& word) {
@@ -276,4 +278,21 @@ TEST_CASE("an error tells every note once, however many tell them", "[warnings]"
   CHECK(with_notes("it fails", {}) == "it fails");
   CHECK(without_notes(told) == "it fails");
   CHECK(without_notes("it fails") == "it fails");
+}
+
+// On the axis the shape function of the end of a side with three nodes has the integral 0.
+TEST_CASE("a node on the axis that no pair keeps out is told", "[warnings]") {
+  const auto notes = [](const std::string& gap_operator, const std::string& quadratic) {
+    const std::string mesh = ", size = [4, 2], cells = [4, 2], quadratic = " + quadratic + " }\n";
+    return plan(parse_scene("material = { youngs_modulus = 1000, poisson_ratio = 0.3, state = \"axial symmetry\" }\n"
+                            "[[body]]\nname = \"a\"\nmesh = { kind = \"block\"" + mesh + "fixed = \"bottom\"\n"
+                            "[[body]]\nname = \"b\"\nmesh = { kind = \"block\", corner = [0, 2]" + mesh + "pressure = { top = 1 }\n"
+                            "[[contact]]\nsource = \"b.bottom\"\ntarget = \"a.top\"\noperator = \"" + gap_operator + "\"\n",
+                            "name", ".")
+                    .scene)
+        .notes;
+  };
+  CHECK(tells(notes("node_to_segment", "true"), {"contact of 'bottom' of 'b'", "the node at (0, 2) on the axis", "mortar"}));
+  CHECK_FALSE(tells(notes("node_to_segment", "false"), {"on the axis"}));
+  CHECK_FALSE(tells(notes("mortar", "true"), {"on the axis"}));
 }

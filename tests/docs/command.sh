@@ -73,6 +73,7 @@ expect 1 '"why": "--tolerance .* forces up to ' qp cancel.txt --json
 printf '%s\n' 'n 2' 'm 2' 'r 0' P '3 0' '0 0' q '-1 0' A '0.7 -1' '0 1' l '0 -10' u '0 10' > defined.txt
 expect 0 '^quasi_active_set  solved .*-0\.1666666' qp defined.txt
 expect 1 'enumerate has proved that the conditions contradict each other' lcp "$lcp/lcp_Pang_isolated_sol_perturbed.dat"
+expect 2 "^signorini: --csv: expected the name of a file, got '-'" solve "$examples/cantilever.toml" --csv -
 expect 2 "--solver: unknown solver 'magic'; there are: .*enumerate" lcp "$lcp/lcp_deudeu.dat" --solver magic
 expect 2 'HS35.txt: this is a quadratic programme; run: signorini qp' lcp "$qp/HS35.txt"
 expect 2 'this is a complementarity problem; run: signorini lcp' qp "$lcp/lcp_deudeu.dat"

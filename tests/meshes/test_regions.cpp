@@ -42,3 +42,12 @@ TEST_CASE("regions that are not there, or have no cells, are errors", "[regions]
   CHECK_THAT(problem_message([&] { static_cast<void>(region(mesh, "wrong")); }),
              ContainsSubstring("refers to cell 8, but the cells are 0 to 7"));
 }
+
+TEST_CASE("a middle on the edge of a rectangle belongs in all units", "[regions]") {
+  for (const double unit : {1.0, 1e-3, 1e3, 0.3}) {
+    const Mesh strip = block("strip", {0, 0}, {4.137 * unit, 2 * unit}, 5, 1);
+    const Mesh left = with_region(strip, "left", {-unit, -unit}, {2.0685 * unit, 3 * unit});
+    CAPTURE(unit);
+    CHECK(region(left, "left") == std::vector<Index>{0, 1, 2});
+  }
+}

@@ -1,8 +1,10 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <memory>
 #include <sstream>
 
+#include "addons/equations/bonds.hpp"
 #include "addons/frontal/frontal_factor.hpp"
 #include "addons/prediction/prediction.hpp"
 #include "catch_compat.hpp"
@@ -201,6 +203,23 @@ TEST_CASE("the figures that are said to be exact are so whatever effect is on", 
     // Under finite strain each iteration has a factor, so that what one takes is not all of it.
     CHECK(exact == (name == "finite strain" ? 6 : 13));
   }
+}
+
+// A plan has no numbers of K yet, and so none to measure springs by: in Pa and m they are large ones.
+TEST_CASE("elastic ties are predicted in any units", "[prediction][springs]") {
+  const double unit = GENERATE(1.0, 1e6);
+  Scene scene = two_blocks(named_block("lower", {0, 0}, {4, 2}, 8, 4),
+                           named_block("upper", {0, 2}, {4, 2}, 8, 4));
+  for (Body& body : scene.bodies) body.material.youngs_modulus = 1000 * unit;
+  scene.bodies[1].loads.edges = {{"top", unit, {}}};
+  scene.contacts.clear();
+  auto bonds = std::make_shared<Bonds>();
+  Tie& tie = bonds->ties.emplace_back();
+  tie.sides = {{"bottom", "upper"}, Side{"top", "lower"}};
+  tie.stiffness = Eigen::Vector2d(200 * unit, 200 * unit);
+  scene.bonds = bonds;
+  const Prediction prediction = predict(plan(scene));
+  CHECK(prediction.amount("assembly", "unknowns") > 0);
 }
 
 TEST_CASE("a path is predicted with all its steps, and its ledgers add up to what is exact",

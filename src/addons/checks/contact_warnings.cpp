@@ -9,6 +9,7 @@
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/core/wording.hpp"
+#include "signorini/fem/assembly.hpp"
 #include "signorini/fem/far.hpp"
 #include "signorini/fem/side_curve.hpp"
 #include "signorini/scene/bodies.hpp"
@@ -71,6 +72,19 @@ std::string turn_warning(const std::string& what, const Surface& source) {
       "side with a corner names of their own, and each its contact; make a round side finer");
 }
 
+/// Of nodes on the axis of a body of revolution that have no pair, because no pressure could be told from their force.
+std::string axis_warning(const std::string& what, const ContactSpec& contact,
+                         const BodyModel& body) {
+  if (contact.gap_operator != "node_to_segment" || std::holds_alternative<Obstacle>(contact.target)) return "";
+  const std::vector<Index> idle =
+      nodes_without_share(body.mesh, contact.source.boundary, depth_of(body.material));
+  if (idle.empty()) return "";
+  return text(what, ": the node at ", in_brackets(body.mesh.nodes.row(idle.front())),
+              " on the axis has no share of the side and so no pair: only its neighbours keep it "
+              "out of the target. Take mortar "
+              "between two meshes, and small cells at the axis");
+}
+
 }  // namespace
 
 std::vector<std::string> contact_warnings(const ContactSpec& contact,
@@ -89,6 +103,7 @@ std::vector<std::string> contact_warnings(const ContactSpec& contact,
           ? obstacle_warning(*obstacle, what, source, pairs)
           : passage_warning(what, source, surface(bodies, std::get<Side>(contact.target)), pairs));
   notes.push_back(turn_warning(what, source));
+  notes.push_back(axis_warning(what, contact, bodies[body_index(bodies, contact.source)]));
   notes.erase(std::remove(notes.begin(), notes.end(), ""), notes.end());
   return notes;
 }

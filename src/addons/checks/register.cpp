@@ -2,6 +2,7 @@
 
 #include "addons/checks/contact_warnings.hpp"
 #include "addons/checks/fit_warnings.hpp"
+#include "addons/checks/lost_digits.hpp"
 #include "addons/checks/shared_words.hpp"
 #include "addons/checks/sliding_verdict.hpp"
 #include "addons/checks/warnings.hpp"
@@ -16,6 +17,7 @@ void register_checks() {
              }});
   add_check({"fits", nullptr, nullptr, sag_warning, closed_gap_warnings});
   add_check({"shared forces", nullptr, nullptr, nullptr, nullptr, note_shared_forces});
+  add_check({"lost digits", nullptr, nullptr, nullptr, nullptr, judge_lost_digits});
   add_check({"sliding", nullptr, nullptr, nullptr, nullptr, judge_sliding});
 }
 

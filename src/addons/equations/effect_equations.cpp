@@ -134,7 +134,7 @@ void register_equations() {
                 return bonds != nullptr && !(bonds->ties.empty() && bonds->two_sided.empty() &&
                                              bonds->relations.empty() && bonds->rigid.empty());
               },
-              declare_equations, nullptr},
+              declare_equations, check_springs},
              "rigid motions");
   set_solve_around(solve_two_sided);
   add_check({"equations", nullptr, nullptr, nullptr, nullptr, judge_equations});

@@ -99,6 +99,10 @@ void add_rigid(const RigidSide& rigid, Plan& draft, Equations& all);
 /// \throws ProblemError if such a pair overlaps, or is to stay closed and is open
 void leave_out_given_pairs(const Scene& scene, Equations& all, Plan& draft);
 
+/// Refuses springs in whose entries of K those of the bodies are lost. \param model  with the K of the bodies alone
+/// \throws ProblemError that names the first one
+void check_springs(Model& model);
+
 /// Eliminates the equations from K, p, A and g: every u that minimises the new energy fulfils them.
 ///
 /// With \f$ u_e = R u + s \f$ the energy of all others is that of \f$ T u + s \f$, T being 1 but for the rows R, and

@@ -62,7 +62,6 @@ class Taking {
     for (Index k = 0; k < stiffness_.size(); ++k)
       stiffness_(k) = all_.rows[at(k)].stiffness.value_or(0);
     Sparse& K = model.programme.stiffness;
-    check_springs(K.diagonal());
     if (stiffness_.size() > static_cast<Index>(all_.held.size()))
       K += symmetric(Sparse(C_.transpose()) * Sparse(stiffness_.asDiagonal() * C_));
     springs_ = VectorXd(K.diagonal())(all_.solved.unknown);
@@ -101,25 +100,6 @@ class Taking {
   }
 
  private:
-  /// Refuses springs in whose entries of K those of the bodies are lost. \param bodies  diagonal of K without springs
-  void check_springs(const VectorXd& bodies) const {
-    for (Index k = 0; k < stiffness_.size(); ++k) {
-      double spring = 0;
-      double own = 0;
-      for (NodalRows::InnerIterator it(C_, k); it; ++it) {
-        spring = std::max(spring, stiffness_(k) * it.value() * it.value());
-        own = std::max(own, bodies(it.col()));
-      }
-      const auto bond = std::find_if(all_.bonds.begin(), all_.bonds.end(),
-                                     [&](const Bond& one) { return at(k) < one.end; });
-      require_input(spring <= stiffest * own, bond->what, ": a spring of it has the stiffness ", spring,
-                    " [force/length], ", spring / own,
-                    " times that of what it joins: above ", stiffest,
-                    " times, rounding spoils the balance more than stiffness helps. Leave out "
-                    "stiffness: then it holds exactly");
-    }
-  }
-
   Model& model_;
   const Equations& all_;
   Sparse T_, E_;
@@ -133,6 +113,26 @@ class Taking {
 
 Sparse by_free_unknowns(const Eliminated& solved, Index unknowns) {
   return part_of(solved, unknowns, false);
+}
+
+void check_springs(Model& model) {
+  const Equations& all = *model.equations;
+  const NodalRows rows = free_columns(all.matrix, model.unknowns);
+  const VectorXd bodies = model.programme.stiffness.diagonal();
+  for (Index k = 0; k < rows.rows(); ++k) {
+    double spring = 0;
+    double own = 0;
+    for (NodalRows::InnerIterator it(rows, k); it; ++it) {
+      spring = std::max(spring, all.rows[at(k)].stiffness.value_or(0) * it.value() * it.value());
+      own = std::max(own, bodies(it.col()));
+    }
+    const auto bond = std::find_if(all.bonds.begin(), all.bonds.end(),
+                                   [&](const Bond& one) { return at(k) < one.end; });
+    require_input(spring <= stiffest * own, bond->what, ": a spring of it has the stiffness ", spring,
+                  " [force/length], ", spring / own, " times that of what it joins: above ", stiffest,
+                  " times, rounding spoils the balance more than stiffness helps. Leave out "
+                  "stiffness: then it holds exactly");
+  }
 }
 
 void take_equations(Model& model) {

@@ -1,0 +1,135 @@
+#include "addons/checks/lost_digits.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "addons/certified/known_forces.hpp"
+#include "signorini/core/errors.hpp"
+#include "signorini/core/index.hpp"
+#include "signorini/core/plane.hpp"
+#include "signorini/core/rounding.hpp"
+#include "signorini/core/table.hpp"
+#include "signorini/core/wording.hpp"
+#include "signorini/scene/bodies.hpp"
+#include "signorini/scene/readings.hpp"
+
+namespace signorini {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+/// Of the forces of a body, from where on they are no solution.
+constexpr double too_much = 1e-2;
+
+/// What rounding of K may do to the sum of all internal forces: of each row some terms like its diagonal one.
+double rounding_of(const Model& model, const Solution& solution) {
+  const VectorXd diagonal = model.programme.stiffness.diagonal();
+  return 8 * epsilon * diagonal.cwiseAbs().dot(strained(solution.refined).cwiseAbs());
+}
+
+/// Forces on a body added up: their sum, and their moment about its middle over the distance of its farthest node; of a body of
+/// revolution the sum along its axis only.
+class Resultant {
+ public:
+  Resultant(const BodyModel& body, const Eigen::Vector2d& middle, double reach)
+      : body_(body), middle_(middle), reach_(reach) {}
+  void add(Index node, const Eigen::Vector2d& force) {
+    const Eigen::Vector2d arm = body_.mesh.nodes.row(node).transpose() - middle_;
+    force_ += force;
+    moment_ += cross(arm, force);
+  }
+  [[nodiscard]] double size() const {
+    return is_axial(body_) ? std::abs(force_.y()) : force_.norm() + std::abs(moment_) / reach_;
+  }
+
+ private:
+  const BodyModel& body_;
+  Eigen::Vector2d middle_;
+  double reach_;
+  Eigen::Vector2d force_ = Eigen::Vector2d::Zero();
+  double moment_ = 0;
+};
+
+double sum_of_norms(const NodeArray& forces) { return forces.rowwise().norm().sum(); }
+
+/// What acts on a body: magnitudes of loads and of the forces of contact, springs and bonds.
+double pushed(const Model& model, const Solution& solution, std::size_t b) {
+  const BodyModel& body = model.bodies[b];
+  double sum = sum_of_norms(nodal_loads(body.mesh, body.element, body.material, body.loads)) +
+               sum_of_norms(contact_forces(model, solution, b)) +
+               sum_of_norms(spring_forces(model, solution, b));
+  if (!solution.bond_forces.empty()) sum += sum_of_norms(solution.bond_forces[b]);
+  return sum;
+}
+
+/// What supports bear: one force for each boundary that is held as a whole, and one for each other node. Single nodes of a clamped edge
+/// pull at each other, and that would hide what the edge as a whole lacks.
+double borne(const BodyModel& body, const NodeArray& inside, const Resultant& none) {
+  const auto held = (body.unknowns.number < 0).eval();
+  std::vector<bool> seen(at(inside.rows()), false);
+  double sum = 0;
+  const auto add = [&](const std::vector<Index>& nodes) {
+    Resultant support = none;
+    for (const Index node : nodes) {
+      seen[at(node)] = true;
+      support.add(node, held.row(node).select(inside.row(node).array(), 0.0).matrix().transpose());
+    }
+    sum += support.size();
+  };
+  for (const auto& [name, sides] : body.mesh.boundaries) {
+    const std::vector<Index> nodes = boundary_nodes(body.mesh, name);
+    if (std::all_of(nodes.begin(), nodes.end(), [&](Index i) { return held.row(i).any(); }))
+      add(nodes);
+  }
+  for (Index i = 0; i < inside.rows(); ++i)
+    if (held.row(i).any() && !seen[at(i)]) add({i});
+  return sum;
+}
+
+/// The share of its forces that a body as a whole lacks.
+double lost_share(const Model& model, const Solution& solution, std::size_t b, double rounding) {
+  const BodyModel& body = model.bodies[b];
+  const NodeArray all = expand(model.unknowns, strained(solution.refined));
+  const NodeArray own = all.middleRows(body.first_node, body.mesh.n_nodes());
+  const NodeArray inside = internal_forces(body.mesh, body.element, body.material, own);
+  const Eigen::RowVector2d middle = body.mesh.nodes.colwise().mean();
+  const Resultant none(body, middle.transpose(),
+                       (body.mesh.nodes.rowwise() - middle).rowwise().norm().maxCoeff());
+  Resultant lost = none;
+  for (Index i = 0; i < inside.rows(); ++i) lost.add(i, inside.row(i).transpose());
+  const double size =
+      pushed(model, solution, b) + std::max(0.0, borne(body, inside, none) - rounding);
+  return size > 0 ? lost.size() / size : 0;
+}
+
+}  // namespace
+
+void judge_lost_digits(const Model& model, const Condensed& /*condensed*/, Solution& solution) {
+  const double rounding = rounding_of(model, solution);
+  // Of most scenes this says that nothing can be lost, at the price of one sum.
+  if (model.unknowns.held.isZero(0) && rounding <= known_well * model.programme.load.lpNorm<1>())
+    return;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    if (model.bodies[b].material.base.law != nullptr) continue;
+    const double share = lost_share(model, solution, b, rounding);
+    if (!(share > known_well)) continue;
+    const std::string words =
+        text("body '", model.bodies[b].mesh.name,
+             "': loads, contact and supports do not balance, by ", number(100 * share, "%.2g"),
+             " % of them, because the stiffness of the body is rounded. It is too slender, too "
+             "nearly incompressible or too "
+             "soft beside another one for these cells: take fewer and larger ones along it, a "
+             "Poisson ratio farther from 0.5, or "
+             "a rigid obstacle in the place of the stiff one");
+    if (share <= too_much) {
+      solution.notes.push_back(words);
+      continue;
+    }
+    solution.contact.report.status = SolveStatus::Breakdown;
+    solution.contact.reason = words;
+    return;
+  }
+}
+
+}  // namespace signorini
