@@ -76,6 +76,7 @@ struct Both {
       if (entry.path == "condensation") return entry;
     return {};
   }
+  [[nodiscard]] long long refined_sets() const { return grown.ledger.counted("refinement", "sets"); }
   /// Sets that were condensed, and all pairs if they were.
   [[nodiscard]] long long rounds() const { return condensation().calls - 1; }
   /// Whether the set did not arrive.
@@ -159,6 +160,7 @@ TEST_CASE("where all pairs overlap without contact forces and few will close, fe
   CHECK(both.rounds() > 1);
   CHECK_FALSE(both.all_condensed());
   CHECK(both.condensed() < both.rounds() * both.pairs() / 3);
+  CHECK(both.refined_sets() == both.rounds() - 1);  // not the first, of which every second is left out
 }
 
 TEST_CASE("pairs that close because others close come in round by round", "[working_set]") {

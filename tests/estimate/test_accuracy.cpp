@@ -8,11 +8,11 @@
 #include "addons/estimate/mesh_refinement.hpp"
 #include "catch_compat.hpp"
 #include "closed_form/hertz.hpp"
+#include "meshes/block.hpp"
 #include "meshes/disc.hpp"
 #include "meshes/split.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
-#include "meshes/block.hpp"
 #include "signorini/scene/readings.hpp"
 #include "support/cantilever.hpp"
 #include "support/hertz.hpp"
@@ -89,6 +89,7 @@ TEST_CASE("Hertz's contact becomes as accurate as asked for from a mesh that har
   CHECK(std::abs(last.value - exact) < target * exact);
   CHECK(*last.error <= target * last.value);
   CHECK_FALSE(result.rounds.front().error.has_value());  // contact was not resolved
+  CHECK(result.rounds[1].error.has_value());             // the next mesh resolves it
   CHECK(result.rounds.size() <= 8);
   for (std::size_t k = 1; k < result.rounds.size(); ++k)
     CHECK(result.rounds[k].unknowns > result.rounds[k - 1].unknowns);
@@ -122,6 +123,17 @@ TEST_CASE(
   Eigen::Index all = 0;
   for (const AccuracyRound& round : result.rounds) all += round.unknowns;
   CHECK(all < 3 * result.rounds.back().unknowns);
+}
+
+TEST_CASE("a mesh that nearly meets the target is not followed by one twice as fine",
+          "[accuracy]") {
+  const AccurateSolution result =
+      accurate(cantilever("q4_incompatible", 20, 3), "normal_force", 0.001);
+  REQUIRE(result.met);
+  REQUIRE(result.rounds.size() > 2);
+  const AccuracyRound& before = result.rounds[result.rounds.size() - 2];
+  CHECK(*before.error < 0.002 * std::abs(before.value));
+  CHECK(result.rounds.back().unknowns < 2 * before.unknowns);
 }
 
 TEST_CASE("two meshes that hardly differ do not confirm each other", "[accuracy]") {

@@ -178,6 +178,22 @@ TEST_CASE("a body that is warm and free has no stress to recover", "[recovery][c
   CHECK(largest(error_products(fields, smooth)) <= 1e-12 * 100 * strain);
 }
 
+TEST_CASE("an element is asked for the strains of each cell once", "[recovery]") {
+  static int asked;
+  asked = 0;
+  Element element = find_element("q4_incompatible");
+  element.strain = [](const CellBody& cell, StrainPoints& points) {
+    ++asked;
+    find_element("q4_incompatible").strain(cell, points);
+  };
+  const Mesh mesh = block_for(element, {2, 1}, 4, 3);
+  const MaterialField material({200, 0.3, PlaneState::Strain, 1});
+  const NodeArray u = stretched_linearly(mesh);
+  const PrimalAndDuals fields{mesh, element, material, {u, u}};
+  (void)error_products(fields, recovered(fields));
+  CHECK(asked == mesh.n_cells());
+}
+
 TEST_CASE("recovery refuses displacements of another mesh", "[recovery]") {
   const Element& element = find_element("q4");
   const Mesh mesh = block_for(element, {2, 1}, 4, 3);

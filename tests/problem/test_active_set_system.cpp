@@ -179,3 +179,34 @@ TEST_CASE("what is solved only before scaling back is not called solved", "[acti
       if (state.report.status == SolveStatus::Solved) CHECK(certify(problem, state).holds());
     }
 }
+
+TEST_CASE("a system that is known for a set is factored no more", "[active_set]") {
+  signorini_test::Random random(6);
+  const ContactProblem problem = signorini_test::random_problem(random, 5);
+  ScaledProblem scaled = equilibrate(problem);
+  const ActiveSet set{{3, 0, 4}};
+  const ActiveSetSolution first = solve_active_set(scaled, set);
+  REQUIRE(first.system);
+  CHECK(first.system->set.closed == set.closed);
+  int solves = 0;
+  ActiveSetSystem counted = *first.system;
+  counted.solve = [&](const Eigen::VectorXd& top, const Eigen::VectorXd& bottom) {
+    ++solves;
+    return first.system->solve(top, bottom);
+  };
+  scaled.factored = std::make_shared<const ActiveSetSystem>(counted);
+  CHECK(solve_active_set(scaled, set).force == first.force);
+  CHECK(solves > 0);
+  const ActiveSetSolution rising = solve_active_set(scaled, ActiveSet{{0, 3, 4}});  // all are independent
+  CHECK((rising.force - first.force).norm() <= 1e-14 * first.force.norm());
+  const int so_far = solves;
+  CHECK(solve_active_set(scaled, ActiveSet{{0, 3}}).rows == std::vector<Eigen::Index>{0, 3});
+  CHECK(solves == so_far);
+}
+
+TEST_CASE("of rows that repeat each other a known system keeps those that were first", "[active_set]") {
+  ScaledProblem scaled = equilibrate({matrix(1, 1, 1, 1), Vector2d(-1, -1)});
+  scaled.factored = solve_active_set(scaled, ActiveSet{{1, 0}}).system;
+  CHECK(solve_active_set(scaled, ActiveSet{{1, 0}}).rows == std::vector<Eigen::Index>{1});
+  CHECK(solve_active_set(scaled, ActiveSet{{0, 1}}).rows == std::vector<Eigen::Index>{0});
+}

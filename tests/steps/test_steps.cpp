@@ -1,6 +1,7 @@
 // Load steps: what must not depend on how a path is gone, and what a step costs.
 #include "addons/steps/steps.hpp"
 #include "catch_compat.hpp"
+#include "signorini/problem/scaled.hpp"
 #include "support/cantilever.hpp"
 #include "support/checked_path.hpp"
 #include "support/hertz.hpp"
@@ -46,7 +47,9 @@ TEST_CASE("what is known of the matrices of a path changes no bit", "[steps]") {
   apart.bodies[1].mesh.nodes.col(1).array() += 100;
   apart.bodies[1].loads.edges[0].pressure *= 1e-9;
   apart.contacts[0].source.body = "beam";
-  for (Scene scene : {cantilever("q4_incompatible", 30, 3), hertz(), apart}) {
+  Scene rough = cantilever("q4_incompatible", 30, 3);
+  rough.contacts[0].friction = Friction{0.3};
+  for (Scene scene : {cantilever("q4_incompatible", 30, 3), hertz(), apart, rough}) {
     for (Body& body : scene.bodies)
       for (EdgeLoad& load : body.loads.edges) load.history = "load";
     scene.path = Path{equal_steps(3), {proportional("load")}};
@@ -69,9 +72,36 @@ TEST_CASE("what is known of the matrices of a path changes no bit", "[steps]") {
       CHECK(with.refined.displacement == without.refined.displacement);
       CHECK(with.refined.displacement_low == without.refined.displacement_low);
       CHECK(with.certificate.worst() == without.certificate.worst());
+      CHECK(with.contact.uniqueness == without.contact.uniqueness);
       CHECK(with.notes == without.notes);
     }
   }
+}
+
+TEST_CASE("the compliance of a path is equilibrated once, and asked once whether it excludes other solutions",
+          "[steps]") {
+  Scene scene = cantilever("q4_incompatible", 30, 3);
+  scene.contacts[0].friction = Friction{0.3};
+  scene.bodies[0].loads.edges[0].history = "load";
+  scene.path = Path{equal_steps(4), {proportional("load")}};
+  Ledger ledger;
+  Model model = build(scene, ledger);
+  CondensedPath path = condense_path(model, ledger);
+  REQUIRE(path.condensed.known.scaled);
+  ScaledProblem& scaled = *path.condensed.known.scaled;
+  const double* first = nullptr;
+  VectorXd last = VectorXd::Zero(model.programme.A.rows());
+  const PathEnd end = solve_steps(model, path, ledger, [&](const Model&, const Step& step) {
+    if (first == nullptr) first = scaled.compliance.data();
+    CHECK(scaled.compliance.data() == first);
+    CHECK(scaled.free != last);
+    const bool told = step.state.steps > 1;  // and takes the word for it, whatever is true
+    CHECK(scaled.excludes_others == told);
+    CHECK(step.solution.contact.uniqueness == (told ? Uniqueness::Proved : Uniqueness::Unknown));
+    scaled.excludes_others = true;
+    last = scaled.free;
+  }, {});
+  CHECK(end.status == SolveStatus::Solved);
 }
 
 TEST_CASE("every kind of load follows its history: a step is the scene with scaled loads",

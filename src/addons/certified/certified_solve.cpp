@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <set>
 #include <utility>
@@ -29,7 +30,10 @@ class CertifiedSolve {
  public:
   CertifiedSolve(const QuadraticProgramme& programme, const CondensedProgramme& condensed,
                  const MatrixXd& modes, Ledger& ledger)
-      : sets_{{programme, condensed.solve_stiffness, condensed.problem, scaled_, modes, {}, condensed.known},
+      : scaled_(condensed.known != nullptr && condensed.known->scaled
+                    ? condensed.known->scaled
+                    : std::make_shared<ScaledProblem>()),
+        sets_{{programme, condensed.solve_stiffness, condensed.problem, *scaled_, modes, {}, condensed.known},
               ledger,
               end_,
               {{condensed.free_displacement, {}, VectorXd::Zero(programme.initial_gap.size())},
@@ -46,11 +50,13 @@ class CertifiedSolve {
   /// Puts the movements that displacements give in the place of those that the condensed data gave, and what
   /// K u, which should do no work along rigid motions, does there in the place of the load.
   void correct();
+  /// Equilibrates the problem; where it is known, but for its load, no more than that is new.
+  void equilibrate_load();
   /// Takes over what a solver says about its run.
   void take_over(const ContactState& claim);
 
   std::optional<ContactProblem> corrected_;  // once there is something to correct, pass by pass
-  ScaledProblem scaled_;  // as condensed, from the first refinement on: a solver has its own
+  std::shared_ptr<ScaledProblem> scaled_;  // as condensed; a solver has its own
   CertifiedSolution end_;
   RefinedSets sets_;  // before a claim, what the free movements of the corrected problem belong to
   const RefinementData& data_ = sets_.data;  // as it was condensed: refinement knows of corrections
@@ -59,7 +65,6 @@ class CertifiedSolve {
 
 bool CertifiedSolve::settle(const ContactState& claim) {
   const Ledger::Phase phase(sets_.ledger, "refinement");
-  if (scaled_.scale.size() == 0) scaled_ = equilibrate(data_.condensed);
   const VectorXd force = all_forces(claim);
   if (data_.null_vectors.cols() == 0 || claim.report.status != SolveStatus::Solved)
     return exchange(all_statuses(claim), force);
@@ -115,6 +120,16 @@ void CertifiedSolve::correct() {
   corrected_->free_slip = free.tail(free.size() - pairs);
 }
 
+void CertifiedSolve::equilibrate_load() {
+  const ContactProblem& problem = data_.condensed;
+  const bool known = scaled_->scale.size() > 0 && problem.resultant.size() == 0 &&
+                     (problem.compliance.diagonal().array() > 0).all();  // else scales depend on it
+  if (known)
+    scaled_->free = scaled_->scale.cwiseProduct(free_movement(problem));
+  else
+    *scaled_ = equilibrate(problem);
+}
+
 void CertifiedSolve::take_over(const ContactState& claim) {
   ContactState& state = end_.state;
   append(state.report, claim.report);
@@ -136,7 +151,9 @@ CertifiedSolution CertifiedSolve::run(const Solver& solver, const SolverOptions&
     ContactState claim;
     {
       const Ledger::Phase phase(sets_.ledger, "contact");
-      claim = solve_with_proofs(corrected_ ? *corrected_ : data_.condensed, solver, options);
+      if (!corrected_) equilibrate_load();
+      claim = corrected_ ? solve_with_proofs(*corrected_, solver, options)
+                         : solve_with_proofs(data_.condensed, solver, options, scaled_.get());
       sets_.ledger.count("iterations", claim.report.iterations);
       sets_.ledger.count("factorisations", claim.report.factorisations);
     }

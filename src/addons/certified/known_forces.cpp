@@ -60,7 +60,12 @@ struct Estimate {
   [[nodiscard]] VectorXd worst(const VectorXd& rounding) const {
     const VectorXd size = rounding.cwiseProduct(data.scaled.scale)(system.rows);
     VectorXd sign(size.size());
-    for (Index k = 0; k < sign.size(); ++k) sign(k) = k % 2 == 0 ? 1 : -1;
+    Rows rising = system.rows;
+    std::sort(rising.begin(), rising.end());
+    for (Index k = 0; k < sign.size(); ++k) {
+      const auto place = std::lower_bound(rising.begin(), rising.end(), system.rows[at(k)]);
+      sign(k) = (place - rising.begin()) % 2 == 0 ? 1 : -1;
+    }
     VectorXd most = VectorXd::Zero(rounding.size());
     for (int solve = 0; solve < most_solves; ++solve) {
       const VectorXd force =

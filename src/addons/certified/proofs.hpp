@@ -51,6 +51,11 @@ namespace signorini {
 [[nodiscard]] std::optional<ContactState> infeasible_resultant(const ContactProblem& problem,
                                                                const ScaledProblem& scaled);
 
+/// Whether the matrices of a problem leave one solution at most, for any free gaps and slips, see uniqueness().
+/// \param problem  scaled, of a held body without cohesion, or without friction coefficients
+/// \return whether \f$ G - C T^{-1} C^T - \tfrac14\mu\,|T|\,\mu \f$ is positive definite beyond rounding
+[[nodiscard]] bool excludes_others(const ScaledProblem& problem);
+
 /// Whether a problem can have several solutions.
 ///
 /// *Proved* means: none of these matrices can, for any free gaps and slips. With F split into G of the gaps, T of

@@ -1,5 +1,6 @@
 #include "addons/certified/solve_with_proofs.hpp"
 
+#include <optional>
 #include <vector>
 
 #include "addons/certified/many_bodies.hpp"
@@ -20,11 +21,8 @@ Solver strengthened(const Solver& solver, const ContactProblem& problem) {
   return strong;
 }
 
-/// The determinant of the set, which takes another factor, decides for held bodies without cohesion only; what a warning rests on
-/// it tells for all.
-void prove_uniqueness(const ContactProblem& problem, ContactState& state) {
-  const ScaledProblem scaled =
-      problem.resultant.size() > 0 ? equilibrate(problem) : equilibrate_any(problem);
+/// The determinant of the set decides for held bodies without cohesion only; what a warning rests on it tells for all.
+void prove_uniqueness(ScaledProblem& scaled, ContactState& state) {
   if (!scaled.symmetric) return;
   const std::vector<ContactStatus> statuses = all_statuses(state);
   ActiveSetSolution solution;
@@ -37,6 +35,7 @@ void prove_uniqueness(const ContactProblem& problem, ContactState& state) {
   };
   const bool decides = scaled.rigid.cols() == 0 && scaled.law.cohesion.isZero(0);
   if (decides) factor();
+  if (decides && !scaled.excludes_others) scaled.excludes_others = excludes_others(scaled);
   state.uniqueness = uniqueness(scaled, statuses, solution);
   if (state.uniqueness != Uniqueness::Doubtful) return;
   if (!decides) factor();
@@ -46,25 +45,33 @@ void prove_uniqueness(const ContactProblem& problem, ContactState& state) {
 }  // namespace
 
 ContactState solve_with_proofs(const ContactProblem& problem, const Solver& solver,
-                               const SolverOptions& options) {
+                               const SolverOptions& options, ScaledProblem* scaled) {
   const bool frictional = !problem.law.pair.empty();
   const bool floats = problem.resultant.size() > 0;
+  std::optional<ScaledProblem> own;
+  const auto in_own_units = [&]() -> ScaledProblem& {
+    if (scaled == nullptr)
+      scaled = &own.emplace(floats ? equilibrate(problem) : equilibrate_any(problem));
+    return *scaled;
+  };
   if (many_bodies(problem.resultant.size(), solver, options))
     if (auto sparse = many_bodies_state(problem, options)) return std::move(*sparse);
   if (floats && (!frictional || solver.friction != Takes::No))
-    if (auto away = infeasible_resultant(problem, equilibrate(problem))) return *away;
-  if (many_bodies(many_motions, solver, options) && few_entries(problem))
+    if (auto away = infeasible_resultant(problem, in_own_units())) return *away;
+  const bool few = !floats && scaled != nullptr ? scaled->sparse.size() > 0 : few_entries(problem);
+  if (few && many_bodies(many_motions, solver, options))
     if (auto sparse = many_bodies_state(problem, options)) {
-      prove_uniqueness(problem, *sparse);
+      prove_uniqueness(in_own_units(), *sparse);
       return std::move(*sparse);
     }
   ContactState state = solve(problem, strengthened(solver, problem), options);
   const SolveStatus status = state.report.status;
-  if (frictional && status == SolveStatus::Solved) prove_uniqueness(problem, state);
+  if (frictional && status == SolveStatus::Solved) in_own_units();
+  if (scaled != nullptr) scaled->factored = state.system;
+  if (frictional && status == SolveStatus::Solved) prove_uniqueness(*scaled, state);
   if (frictional || floats || status == SolveStatus::Solved || status == SolveStatus::Infeasible)
     return state;
-  const ScaledProblem scaled = equilibrate_any(problem);
-  if (!scaled.symmetric) state.farkas_certificate = farkas_certificate(scaled);
+  if (!in_own_units().symmetric) state.farkas_certificate = farkas_certificate(*scaled);
   if (state.farkas_certificate.size() > 0) state.report.status = SolveStatus::Infeasible;
   return state;
 }

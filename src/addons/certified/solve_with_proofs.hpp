@@ -1,6 +1,7 @@
 /// \file
 /// The portfolio between two proofs: that nothing solves a problem, and that nothing else does.
 #pragma once
+#include "signorini/problem/scaled.hpp"
 #include "signorini/solvers/solvers.hpp"
 
 namespace signorini {
@@ -13,9 +14,11 @@ namespace signorini {
 /// \param problem  any
 /// \param solver   a member
 /// \param options  handed to it
+/// \param[in,out] scaled  the problem, equilibrated: gets the system of the last set; null: nobody has it
 /// \return as solve(); `Infeasible` with `unbounded_direction` or `farkas_certificate`
 /// \throws ProblemError, std::invalid_argument as solve()
 [[nodiscard]] ContactState solve_with_proofs(const ContactProblem& problem, const Solver& solver,
-                                             const SolverOptions& options = {});
+                                             const SolverOptions& options = {},
+                                             ScaledProblem* scaled = nullptr);
 
 }  // namespace signorini

@@ -49,38 +49,6 @@ UniquenessWarning warning_of_set(const ScaledProblem& problem, const ActiveSet& 
   return most;
 }
 
-/// Whether G - C T^-1 C^T - mu |T| mu / 4 is positive definite, beyond rounding. The eigenvalues that say |T| cost most: a bound of it
-/// from above may be enough to show that it is, and one from below that it is not.
-bool bound_excludes_others(const ScaledProblem& problem) {
-  const MatrixXd& F = problem.compliance;
-  const Index pairs = problem.pairs();
-  const Index slips = F.rows() - pairs;
-  MatrixXd S = F.topLeftCorner(pairs, pairs);
-  if (pairs == 0) return true;
-  // Rounding of the entries, which are at most 1, must not decide.
-  S.diagonal().array() -= static_cast<double>(pairs) * proof_rounding;
-  const auto excludes = [&](double norm) {
-    MatrixXd less = S;
-    for (Index k = 0; norm > 0 && k < slips; ++k) {
-      const Index pair = problem.law.pair[at(k)];
-      less(pair, pair) -= 0.25 * norm * std::pow(problem.law.coefficient(k), 2);
-    }
-    return CholeskyFactor(less).positive();
-  };
-  if (slips == 0) return excludes(0);
-  const MatrixXd T = F.bottomRightCorner(slips, slips);
-  const MatrixXd C = F.topRightCorner(pairs, slips);
-  const bool coupled = !C.isZero(0);
-  const VectorXd answer = T.rowwise().sum();
-  const double least = coupled ? answer.dot(T * answer) / answer.squaredNorm() : 0;
-  if (!excludes(least)) return false;  // already without what C takes, as with redundant forces
-  const CholeskyFactor tangential(T);
-  if (!tangential.positive() || !coupled) return tangential.positive();
-  S.noalias() -= C * tangential.solve_columns(C.transpose());
-  return excludes(T.cwiseAbs().rowwise().sum().maxCoeff()) ||
-         (excludes(least) && excludes(symmetric_eigenvalues(T).maxCoeff()));
-}
-
 /// Whether pairs whose forces are no rounding let no body move rigidly.
 bool holds_modes(const ScaledProblem& problem, const ActiveSetSolution& solution) {
   if (problem.inverse.rows() > problem.rigid.cols()) return false;  // a motion that moves no pair
@@ -145,6 +113,38 @@ bool found_another(const ScaledProblem& problem, const std::vector<ContactStatus
 
 }  // namespace
 
+// The eigenvalues that say |T| cost most: a bound of it from above may be enough to show that it is, and one from below that
+// it is not.
+bool excludes_others(const ScaledProblem& problem) {
+  const MatrixXd& F = problem.compliance;
+  const Index pairs = problem.pairs();
+  const Index slips = F.rows() - pairs;
+  MatrixXd S = F.topLeftCorner(pairs, pairs);
+  if (pairs == 0) return true;
+  // Rounding of the entries, which are at most 1, must not decide.
+  S.diagonal().array() -= static_cast<double>(pairs) * proof_rounding;
+  const auto excludes = [&](double norm) {
+    MatrixXd less = S;
+    for (Index k = 0; norm > 0 && k < slips; ++k) {
+      const Index pair = problem.law.pair[at(k)];
+      less(pair, pair) -= 0.25 * norm * std::pow(problem.law.coefficient(k), 2);
+    }
+    return CholeskyFactor(less).positive();
+  };
+  if (slips == 0) return excludes(0);
+  const MatrixXd T = F.bottomRightCorner(slips, slips);
+  const MatrixXd C = F.topRightCorner(pairs, slips);
+  const bool coupled = !C.isZero(0);
+  const VectorXd answer = T.rowwise().sum();
+  const double least = coupled ? answer.dot(T * answer) / answer.squaredNorm() : 0;
+  if (!excludes(least)) return false;  // already without what C takes, as with redundant forces
+  const CholeskyFactor tangential(T);
+  if (!tangential.positive() || !coupled) return tangential.positive();
+  S.noalias() -= C * tangential.solve_columns(C.transpose());
+  return excludes(T.cwiseAbs().rowwise().sum().maxCoeff()) ||
+         (excludes(least) && excludes(symmetric_eigenvalues(T).maxCoeff()));
+}
+
 Uniqueness uniqueness(const ScaledProblem& problem, const std::vector<ContactStatus>& statuses,
                       const ActiveSetSolution& solution, double work) {
   const bool floats = problem.rigid.cols() > 0;
@@ -153,7 +153,10 @@ Uniqueness uniqueness(const ScaledProblem& problem, const std::vector<ContactSta
       found_another(problem, statuses, solution, work))
     return Uniqueness::Doubtful;
   const bool excluded = coheres || (floats && !problem.law.coefficient.isZero(0));
-  const bool only = !excluded && bound_excludes_others(problem) && holds_modes(problem, solution);
+  const auto bound = [&] {
+    return problem.excludes_others ? *problem.excludes_others : excludes_others(problem);
+  };
+  const bool only = !excluded && bound() && holds_modes(problem, solution);
   return only ? Uniqueness::Proved : Uniqueness::Unknown;
 }
 

@@ -23,7 +23,8 @@ namespace signorini {
 
 /// Solves a model whose compliance was left out. The set begins with the pairs that overlap or touch without contact forces;
 /// of more than the factor pays for, with every second, third, ... of them: a load may make all pairs overlap where few will
-/// close. certified_solve() of the set alone gives forces and displacements. Pairs outside that do not stay open there come in
+/// close. What these do is not refined, as long as it says who else may close. certified_solve() of the set alone gives forces
+/// and displacements. Pairs outside that do not stay open there come in
 /// with neighbours, twice as many in every round, and it is solved again from where it stood. What the last set
 /// found is then a claim for all pairs, with no force on the others, and the certificate looks at all of it.
 /// \param model      from build(), see working_set_pays()

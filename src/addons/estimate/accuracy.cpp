@@ -28,6 +28,9 @@ constexpr double aim = 0.85;
 /// A mesh confirms an earlier one if it has so many times its unknowns: with fewer, two meshes that overlook the same agree;
 /// with more, confirming costs more than solving.
 constexpr double confirming = 2;
+/// If the estimate is too large on a mesh that would confirm an earlier one, the next has so many times its nodes at least:
+/// with fewer, rounds that fall short by a little cost as much as the last; with more, the last mesh is finer than it need be.
+constexpr double worthwhile = 1.5;
 /// So many times the unknowns should leave a quarter of the error even at a corner...
 constexpr Index patience = 16;
 /// ... and so many halvings should close enough pairs.
@@ -158,7 +161,8 @@ class Loop {
       if (stagnates()) return stop("refinement no longer helps: " + limiting_cause(run_));
       const double part =
           now.of_estimate <= target ? 1 : std::max(aim * target / now.of_estimate, least_left);
-      marks_ = mark_elements(run_.model, run_.solution, *run_.estimate, part, confirming);
+      const double growth = part < 1 && confirmed() ? worthwhile : confirming;
+      marks_ = mark_elements(run_.model, run_.solution, *run_.estimate, part, growth);
     } else if (stagnates() && !doubted(doubts_of_few_)) {
       return stop(
           "refinement, also of all cells, does not close more pairs of a contact: it touches at "

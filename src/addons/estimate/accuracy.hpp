@@ -74,7 +74,8 @@ struct AccurateSolution {
 /// Meshes too coarse for an estimate, see marks_where_coarse(), are refined before anything is estimated. From then
 /// on each cell's share of the error falls to the chords that cross it, see chords(): halving a chord leaves a quarter
 /// of its share, for as many new nodes as it has edges. The cheapest ones are halved, some more than once, until a
-/// eighth of the error or somewhat less than the target is left, see mark_elements(), and there are twice the nodes. What
+/// eighth of the error or somewhat less than the target is left, see mark_elements(), and there are twice the nodes, or half as
+/// many again if only the estimate is too large on a mesh that would confirm. What
 /// goals and gaps overlook between nodes falls to the sides of the source that are closed, the free boundary to those where
 /// contact ends, and what a curved outline leaves to its sides.
 ///

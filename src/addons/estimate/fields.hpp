@@ -18,6 +18,28 @@ struct PrimalAndDuals {
   std::vector<NodeArray> displacements;  ///< `n_nodes x 2` of each field [length]
 };
 
+/// The strains of all fields at the strain points of all cells: one point after the other, of each point one field after the
+/// other. Elements are asked for them once, for recovery and for what is made of it.
+struct ElementStrains {
+  std::vector<Eigen::Index> first;     ///< point of each cell, and the number of all points
+  std::vector<Eigen::Vector2d> local;  ///< (xi, eta) of each point [-]
+  std::vector<double> volume;          ///< of each point [length^3]
+  std::vector<double> elastic;         ///< strains that need stress [-]
+  std::vector<double> modes;           ///< strains that are not those of the displacements [-]
+
+  /// \param strains  `elastic` or `modes` \param number  of a point, by the number of fields, plus that of a field
+  /// \return the components there
+  template <int n_rows>
+  [[nodiscard]] static Eigen::Map<const Eigen::Matrix<double, n_rows, 1>> of(
+      const std::vector<double>& strains, Eigen::Index number) {
+    return Eigen::Map<const Eigen::Matrix<double, n_rows, 1>>(strains.data() + n_rows * number);
+  }
+};
+
+/// \param fields  any \return their strains
+/// \throws ProblemError as check_material()
+[[nodiscard]] ElementStrains element_strains(const PrimalAndDuals& fields);
+
 /// Checks the displacements. \param fields  any
 /// \throws std::invalid_argument unless there is one displacement per node
 void check_primal_and_duals(const PrimalAndDuals& fields);

@@ -238,7 +238,7 @@ std::vector<MarkedEdges> marks_where_coarse(const Model& model, const Solution& 
     const bool presses = closed[at(side.pairs.from)] != 0 || closed[at(side.pairs.to)] != 0;
     char times = 0;
     for (std::size_t own = count[model.contact_of[at(side.pairs.from)]]; presses && own < few;
-         own *= 2)
+         own = std::max(own + 1, 2 * own - 1))
       ++times;
     char& mark = marks[side.body].halved[at(side.edge)];
     mark = std::max(mark, times);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "addons/estimate/stress_samples.hpp"
 #include "signorini/core/index.hpp"
 
 namespace signorini {
@@ -11,9 +12,6 @@ namespace {
 
 using Eigen::Index;
 using Eigen::Vector2d;
-using Table = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-constexpr Index most_samples = 4;  // of a cell
 
 /// Numbers of the nodes of cells, other ones for every material. \param[out] count  of the numbers
 CellArray numbered_by_material(const Mesh& mesh, const MaterialField& material, Index& count) {
@@ -73,58 +71,6 @@ bool surrounded(const Mesh& mesh, const CellArray& cells, const Around& around, 
   return begin < end;
 }
 
-/// Stresses where those of a cell are best: so many per cell, the same for all fields.
-struct Samples {
-  std::vector<Vector2d> place;  // `most_samples` per cell
-  Table value;                  // a row each
-  std::vector<int> count;       // per cell
-};
-
-Index components(const PrimalAndDuals& fields) {
-  return fields.material.base.state == PlaneState::Axial ? 4 : 3;
-}
-
-Samples sampled(const PrimalAndDuals& fields) {
-  const Mesh& mesh = fields.mesh;
-  const Index rows = components(fields);
-  const Index n_fields = static_cast<Index>(fields.displacements.size());
-  Samples samples;
-  const std::size_t n_cells = at(mesh.n_cells());
-  samples.place.resize(n_cells * most_samples);
-  samples.count.resize(n_cells);
-  samples.value.setZero(mesh.n_cells() * most_samples, rows * n_fields);
-  StrainPoints points;
-  FreeStrains free(fields.material);
-  visit_cells(mesh, fields.element, fields.material, [&](const Cell& cell) {
-    const bool triangle = cell.element.corners() == 3, linear = cell.element.degree == 1;
-    if (linear)
-      cell.element.strain(cell.body, points);
-    else
-      sample_strain(cell.element.shape, triangle ? gauss_triangle(3) : gauss_square(2), cell.body,
-                    points);
-    free.look(cell, points);
-    const Index first = cell.number * most_samples;
-    const int count = linear ? 1 : points.size;
-    samples.count[at(cell.number)] = count;
-    for (int i = 0; i < points.size; ++i) {
-      const StrainPoint& point = points.point[at(i)];
-      const Index row = first + (linear ? 0 : i);
-      if (!linear) samples.place[at(row)] = position(cell, point);
-      const double part = linear ? 1.0 / points.size : 1;
-      for (Index f = 0; f < n_fields; ++f) {
-        const CellVector u = gathered(cell, fields.displacements[at(f)]);
-        Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 4, 1> strain = point.B * u;
-        if (free.in(f)) strain -= free.relaxed(i);
-        samples.value.row(row).segment(rows * f, rows) += part * (cell.body.D * strain).transpose();
-      }
-    }
-    const double middle = triangle ? 1.0 / 3 : 0;
-    if (linear)
-      samples.place[at(first)] = cell.body.position(cell.element.shape(middle, middle).value);
-  });
-  return samples;
-}
-
 /// Monomials of a polynomial in the plane.
 template <int n_terms>
 Eigen::Matrix<double, n_terms, 1> monomials(const Vector2d& x) {
@@ -144,7 +90,7 @@ class Patch {
   explicit Patch(Index columns) : right_(n_terms, columns) {}
 
   /// \return whether there is one polynomial that fits best
-  bool fit(const Samples& samples, const Around& around, Index node, const Vector2d& origin) {
+  bool fit(const StressSamples& samples, const Around& around, Index node, const Vector2d& origin) {
     Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
     origin_ = origin;
     int count = 0;
@@ -184,10 +130,10 @@ class Patch {
 
  private:
   template <typename Visit>
-  static void each(const Samples& samples, const Around& around, Index node, Visit&& visit) {
+  static void each(const StressSamples& samples, const Around& around, Index node, Visit&& visit) {
     for (Index a = around.first[at(node)]; a < around.first[at(node) + 1]; ++a) {
       const Index cell = around.cell[at(a)];
-      for (int i = 0; i < samples.count[at(cell)]; ++i) visit(cell * most_samples + i);
+      for (int i = 0; i < samples.count[at(cell)]; ++i) visit(cell * StressSamples::most + i);
     }
   }
   [[nodiscard]] Eigen::Matrix<double, n_terms, 1> at_place(const Vector2d& place) const {
@@ -204,12 +150,12 @@ class Patch {
 /// Smooth stresses as they are collected.
 struct Collected {
   const Mesh& mesh;
-  const Samples& samples;
+  const StressSamples& samples;
   SmoothStress& smooth;
   std::vector<Index> node;       // of the mesh, of each number
   std::vector<int> polynomials;  // that have spoken at each number
 
-  Collected(const Mesh& of, const Samples& sampled, Index count, SmoothStress& into)
+  Collected(const Mesh& of, const StressSamples& sampled, Index count, SmoothStress& into)
       : mesh(of), samples(sampled), smooth(into), node(at(count), 0), polynomials(at(count), 0) {
     smooth.value.setZero(count, samples.value.cols());
     for (Index c = 0; c < smooth.cells.rows(); ++c)
@@ -254,7 +200,7 @@ struct Collected {
         const Index i = smooth.cells(c, k);
         if (polynomials[at(i)] > 0) continue;
         for (int s = 0; s < samples.count[at(c)]; ++s)
-          smooth.value.row(i) += samples.value.row(c * most_samples + s);
+          smooth.value.row(i) += samples.value.row(c * StressSamples::most + s);
         spoken[at(i)] += samples.count[at(c)];
       }
     for (Index i = 0; i < smooth.value.rows(); ++i)
@@ -269,7 +215,8 @@ SmoothStress recovered(const PrimalAndDuals& fields) {
   SmoothStress smooth;
   Index count = 0;
   smooth.cells = numbered_by_material(fields.mesh, fields.material, count);
-  const Samples samples = sampled(fields);
+  smooth.strains = element_strains(fields);
+  const StressSamples samples = sampled(fields, smooth.strains);
   Collected collected(fields.mesh, samples, count, smooth);
   if (fields.mesh.order() == MeshOrder::Linear)
     collected.fit<3>();

@@ -14,6 +14,7 @@ struct SmoothStress {
   /// A row per number: the components of the first field, as many as its D has rows, then of the second, ...
   /// [force/length^2]
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> value;
+  ElementStrains strains;  ///< what was recovered from
 };
 
 /// Recovers stresses node by node from the cells around it, never from another layer [\ref ZienkiewiczZhu1992].

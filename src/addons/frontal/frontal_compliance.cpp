@@ -109,7 +109,9 @@ class FrontalFactor::Walk {
     Share share{rows_of(part), {}};
     if (!share.rows.empty()) {
       const Index count = static_cast<Index>(share.rows.size());
-      share.square = MatrixXd::Zero(count, count);
+      // The last part comes when all others are done, and adds to their sum.
+      const bool above = number + 1 == factor_.fronts_.parts.size() && count == A_.rows();
+      share.square = above ? sum_.sum() : MatrixXd(MatrixXd::Zero(count, count));
       room.row.resize(factor_.fronts_.order.size());
       room.column.resize(at(A_.rows()));
       room.place.resize(at(A_.rows()));

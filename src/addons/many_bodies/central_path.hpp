@@ -75,7 +75,7 @@ class CentralPath {
   double reach_;                ///< how far a step may go
   int first_sign_ = 0;          ///< of the determinant
   Eigen::Index steps_ = 0;
-  SparseLuFactor factor_;
+  SparseLuFactor factor_{Pivots::Diagonal};  ///< what pairs give way by is added to the diagonal of F
 };
 
 }  // namespace signorini

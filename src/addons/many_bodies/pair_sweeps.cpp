@@ -23,22 +23,21 @@ Vector2d sliding(const LonePair& pair, double sign) {
   return {normal, sign * (pair.coefficient * normal + pair.cohesion)};
 }
 
-/// What the force of another pair's row adds to a pair, for 1 of it.
+/// What the force of another pair's row adds to gap and slip of a pair, for 1 of it. Both are added at once.
 struct Influence {
   Index row = 0;
-  double gap = 0;
-  double slip = 0;
+  Vector2d moves = Vector2d::Zero();
 };
 
 /// \param i  row of the gap \param j  of the slip, or -1 \return what the rows of others add, by their numbers
 std::vector<Influence> influences(const SparseMatrix& rows, Index i, Index j) {
   std::map<Index, Influence> of_row;
-  for (SparseMatrix::InnerIterator it(rows, i); it; ++it) of_row[it.row()].gap = it.value();
+  for (SparseMatrix::InnerIterator it(rows, i); it; ++it) of_row[it.row()].moves.x() = it.value();
   if (j >= 0)
-    for (SparseMatrix::InnerIterator it(rows, j); it; ++it) of_row[it.row()].slip = it.value();
+    for (SparseMatrix::InnerIterator it(rows, j); it; ++it) of_row[it.row()].moves.y() = it.value();
   std::vector<Influence> others;
   for (const auto& [row, influence] : of_row)
-    if (row != i && row != j) others.push_back({row, influence.gap, influence.slip});
+    if (row != i && row != j) others.push_back({row, influence.moves});
   return others;
 }
 
@@ -79,11 +78,10 @@ SweptPairs swept_pairs(const SparseMatrix& compliance, const FrictionLaw& law, I
 Vector2d lone_pair_force(const LonePair& pair) {
   if (pair.gap >= 0) return {0, 0};
   const double determinant = pair.nn * pair.tt - pair.nt * pair.tn;
-  Vector2d stick(-pair.gap / pair.nn, 0);
-  if (determinant > 0)
-    stick = Vector2d(pair.nt * pair.slip - pair.tt * pair.gap,
-                     pair.tn * pair.gap - pair.nn * pair.slip) /
-            determinant;
+  const Vector2d stick = determinant > 0 ? Vector2d(Vector2d(pair.nt * pair.slip - pair.tt * pair.gap,
+                                                             pair.tn * pair.gap - pair.nn * pair.slip) /
+                                                    determinant)
+                                         : Vector2d(-pair.gap / pair.nn, 0);
   const double bound = pair.coefficient * stick.x() + pair.cohesion;
   if (determinant > 0 && stick.x() >= 0 && std::abs(stick.y()) <= bound) return stick;
   for (const double sign : {-1.0, 1.0}) {
@@ -104,12 +102,11 @@ void sweep_pairs(const SparseMatrix& compliance, const VectorXd& free, const Fri
     auto other = all.others.cbegin();
     for (Index i = 0; i < pairs; ++i) {
       auto& [pair, j, end] = all.pairs[at(i)];
-      pair.gap = free(i);
-      pair.slip = j < 0 ? 0 : free(j);
-      for (; other != all.others.cbegin() + end; ++other) {
-        pair.gap += other->gap * force(other->row);
-        pair.slip += other->slip * force(other->row);
-      }
+      Vector2d moved(free(i), j < 0 ? 0 : free(j));
+      for (; other != all.others.cbegin() + end; ++other)
+        moved += other->moves * force(other->row);
+      pair.gap = moved.x();
+      pair.slip = moved.y();
       if (j < 0) {
         force(i) = std::max(0.0, -pair.gap / pair.nn);
         continue;

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <utility>
 
 #include "addons/steps/step_parts.hpp"
 #include "addons/steps/steps_limit.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/problem/active_set_system.hpp"
+#include "signorini/problem/scaled.hpp"
 #include "signorini/problem/systems.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/step_loop.hpp"
@@ -72,6 +73,8 @@ CondensedPath condense_path(const Model& model, Ledger& ledger) {
   check_steps(model, "condense_path");
   CondensedPath path{condense(model, ledger), {}};
   if (!model.loop) path.condensed.known = known_matrices(model.programme, model.law);
+  if (!model.loop && !model.equations && model.modes.empty())
+    path.condensed.known.scaled = std::make_shared<ScaledProblem>();
   const Ledger::Phase phase(ledger, "condensation");
   for (const LoadPart& part : model.parts) {
     const bool acts = (part.load.array() != 0).any();

@@ -141,15 +141,37 @@ class RowMovement {
   MatrixXd columns_, rigid_;
 };
 
+// Rows that repeat others are kept or left by their order. Without any, an order is as good as another.
+bool is_of(const ActiveSetSystem& system, const ActiveSet& set) {
+  const auto same = [](const SlidingPair& a, const SlidingPair& b) {
+    return a.gap == b.gap && a.slip == b.slip && a.slope == b.slope && a.offset == b.offset;
+  };
+  const std::vector<SlidingPair>& sliding = system.set.sliding;
+  if (!std::equal(sliding.begin(), sliding.end(), set.sliding.begin(), set.sliding.end(), same))
+    return false;
+  Rows given = system.set.closed, asked = set.closed;
+  if (system.rows.size() == given.size()) {
+    std::sort(given.begin(), given.end());
+    std::sort(asked.begin(), asked.end());
+  }
+  return given == asked;
+}
+
 }  // namespace
 
+// A method, its proofs and the refinement after it ask for the same set in turn, and it is factored once.
+//
 // Which of the three factors it is. Friction without a slope, as Tresca's, leaves the matrix symmetric, and one
 // Cholesky factor does. Where F has few entries a sparse factor is faster than either dense one, with sliding
 // or without.
 ActiveSetSystem active_set_system(const ScaledProblem& problem, const ActiveSet& set) {
-  if (problem.sparse.size() > 0) return sparse_system(problem, set);
-  return problem.symmetric && !has_slopes(set) ? symmetric_system(problem, set.closed)
-                                               : general_system(problem, set);
+  if (problem.factored && is_of(*problem.factored, set)) return *problem.factored;
+  ActiveSetSystem system = problem.sparse.size() > 0 ? sparse_system(problem, set)
+                           : problem.symmetric && !has_slopes(set)
+                               ? symmetric_system(problem, set.closed)
+                               : general_system(problem, set);
+  system.set = set;
+  return system;
 }
 
 // The first sweep solves, the next ones refine: each asks the system for the changes that close what the rows
@@ -157,11 +179,12 @@ ActiveSetSystem active_set_system(const ScaledProblem& problem, const ActiveSet&
 // the normal forces exactly.
 ActiveSetSolution solve_active_set(const ScaledProblem& problem, const ActiveSet& set,
                                    const ActiveSetSolution* start) {
-  const ActiveSetSystem system = active_set_system(problem, set);
+  ActiveSetSolution now;
+  now.system = std::make_shared<const ActiveSetSystem>(active_set_system(problem, set));
+  const ActiveSetSystem& system = *now.system;
   const Rows& rows = system.rows;
   Rows support = set.closed;
   for (const SlidingPair& pair : set.sliding) support.push_back(pair.slip);
-  ActiveSetSolution now;
   now.rows = rows;
   std::sort(now.rows.begin(), now.rows.end());
   now.reversed = system.reversed;

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -91,9 +92,11 @@ struct ActiveSetSystem {
   std::function<std::pair<Eigen::VectorXd, Eigen::VectorXd>(const Eigen::VectorXd& top,
                                                             const Eigen::VectorXd& bottom)>
       solve = {};
+  ActiveSet set = {};  ///< W in the order in which it was given, and S
 };
 
-/// Factors the system by one of the three functions below.
+/// Factors the system by one of the three functions below, unless the problem has it already. Rows of W that are all independent
+/// may stand there in another order.
 /// \param problem  scaled
 /// \param set      W and S, with the slopes of scaled forces
 /// \return the system
@@ -131,6 +134,7 @@ struct ActiveSetSolution {
   Eigen::VectorXd movement_rounding;  ///< and to each movement
   bool solvable = false;              ///< whether `rows` are closed and U^T f = t, to rounding
   bool reversed = false;              ///< as ActiveSetSystem::reversed
+  std::shared_ptr<const ActiveSetSystem> system = {};  ///< that it was solved with
 
   /// \param row  any \return whether its movement is what rounding of its terms, or of a force, can make of 0
   [[nodiscard]] bool closes(Eigen::Index row) const {

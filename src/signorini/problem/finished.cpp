@@ -119,6 +119,7 @@ ContactState finished(const ContactProblem& problem, const ScaledProblem& scaled
     state.amplitude = solution.amplitude.size() > 0 ? VectorXd(scaled.inverse * solution.amplitude)
                                                     : VectorXd::Zero(problem.resultant.size());
   state.report = std::move(report);
+  state.system = solution.system;
   state.farkas_certificate = std::move(proof);
   if (state.report.status == SolveStatus::Solved && !certify(problem, state).holds()) {
     state.report.status = SolveStatus::Breakdown;

@@ -2,6 +2,7 @@
 /// Contact as pure algebra: with displacements and without them, and what a solver returns.
 #pragma once
 #include <Eigen/Core>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -137,6 +138,8 @@ struct UniquenessWarning {
   double determinant = 1;  ///< normalised as above, or by that without any friction [-]; < 0 warns
 };
 
+struct ActiveSetSystem;
+
 /// Forces, gaps and status of all pairs. Unless `report.status` is Solved, these are the last ones
 /// that the method looked at and no solution.
 struct ContactState {
@@ -157,6 +160,8 @@ struct ContactState {
   Eigen::VectorXd farkas_certificate = {};
   /// Proof that no forces balance r, or empty: the body would move along a `n_r` for ever, see unbounded_direction().
   Eigen::VectorXd unbounded_direction = {};
+  /// The equations of the last set, factored, for who refines it; null if the method has no such set
+  std::shared_ptr<const ActiveSetSystem> system = {};
 };
 
 /// Choices that every solver understands.

@@ -6,6 +6,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
+#include <memory>
 
 #include "signorini/core/alignment.hpp"
 
@@ -30,10 +31,14 @@ struct QuadraticProgramme {
   Reached reached = {};                            ///< where u counts from
 };
 
+struct ScaledProblem;
+
 /// What the matrices of a programme say, whatever its load and gaps are: where many loads follow, it is found once.
 struct KnownMatrices {
   Eigen::VectorXd diagonal;  ///< `n` of K [force/length]; empty: nothing is known
   bool connected = false;  ///< all hangs together, even if entries of K that are rounding connect nothing
+  /// The condensed problem, equilibrated for the load before; empty before the first one, null where it is not kept
+  std::shared_ptr<ScaledProblem> scaled = {};
 };
 
 /// A quadratic programme with dense matrices, as in mathematical programming: the same least energy,

@@ -3,6 +3,8 @@
 #pragma once
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
+#include <memory>
+#include <optional>
 
 #include "signorini/problem/problem.hpp"
 
@@ -28,6 +30,10 @@ struct ScaledProblem {
   Eigen::VectorXd unconstrained_resultant = {};
   /// F once more where pairs have friction and at most one entry in 64 is not 0, as in piles of rigid bodies; else empty
   Eigen::SparseMatrix<double> sparse = {};
+  /// The system of a set, from F and U as they are here: active_set_system() takes it for that set. Null: none is factored yet
+  std::shared_ptr<const ActiveSetSystem> factored = {};
+  /// Whether F and the coefficients alone leave one solution at most, see uniqueness(); nothing: nobody has asked
+  std::optional<bool> excludes_others = {};
 
   /// \return n_c
   [[nodiscard]] Eigen::Index pairs() const {
