@@ -1,7 +1,7 @@
 // Systems that nothing connects: which unknowns and rows they have, and that each is measured by itself.
 #include "catch_compat.hpp"
 #include "signorini/problem/certificate.hpp"
-#include "signorini/problem/systems.hpp"
+#include "addons/certified/separate.hpp"
 
 using namespace signorini;
 using Eigen::Index;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "signorini/core/index.hpp"
+#include "signorini/core/rounding.hpp"
 
 namespace signorini {
 namespace {
@@ -139,6 +140,17 @@ CertifiedSolution separate_solutions(const QuadraticProgramme& programme,
   state.frictional_pairs = condensed.problem.law.pair;
   whole.certificate = certify(programme, whole.solution, condensed.problem.law);
   return whole;
+}
+
+Eigen::Index largest_of(const std::vector<SystemParts>& systems) {
+  std::size_t most = 0;
+  for (const SystemParts& parts : systems) most = std::max(most, parts.rows.size());
+  return static_cast<Eigen::Index>(most);
+}
+
+// Where everything hangs together although rounding connects nothing, it does so with rounding and rigid motions, too.
+KnownMatrices known_matrices(const QuadraticProgramme& programme, const FrictionLaw& law) {
+  return {programme.stiffness.diagonal(), unconnected_systems(programme, law, {}, epsilon).empty()};
 }
 
 }  // namespace signorini

@@ -30,4 +30,14 @@ namespace signorini {
                                                    const Solver& solver,
                                                    const SolverOptions& options, Ledger& ledger);
 
+/// \param systems  any
+/// \return rows of the system that has most of them; 0 of none
+[[nodiscard]] Eigen::Index largest_of(const std::vector<SystemParts>& systems);
+
+/// \param programme  K and A
+/// \param law        of the frictional pairs
+/// \return what they say: valid until K, the entries of A that are not 0, or the pairs of the law change
+[[nodiscard]] KnownMatrices known_matrices(const QuadraticProgramme& programme,
+                                           const FrictionLaw& law);
+
 }  // namespace signorini

@@ -6,11 +6,11 @@
 #include <utility>
 #include <vector>
 
+#include "addons/certified/separate.hpp"
 #include "addons/certified/solve_with_proofs.hpp"
 #include "signorini/contact/gaps.hpp"
 #include "signorini/core/index.hpp"
 #include "signorini/problem/active_set_system.hpp"
-#include "signorini/problem/systems.hpp"
 #include "signorini/scene/motions.hpp"
 #include "signorini/scene/ways.hpp"
 

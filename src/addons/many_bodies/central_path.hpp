@@ -5,7 +5,7 @@
 #include <Eigen/SparseCore>
 #include <vector>
 
-#include "signorini/core/sparse_lu.hpp"
+#include "addons/many_bodies/diagonal_lu.hpp"
 #include "signorini/problem/problem.hpp"
 
 namespace signorini {
@@ -24,8 +24,8 @@ class CentralPath {
   /// \param free        d, then s; not all 0
   /// \param law         of the frictional pairs, of which each has a coefficient or cohesion
   /// \param wide        gaps at the beginning over the largest free movement [-]: each has a path of its own, short or long
-  CentralPath(const Eigen::SparseMatrix<double>& compliance, const Eigen::VectorXd& free, FrictionLaw law,
-              double wide);
+  CentralPath(const Eigen::SparseMatrix<double>& compliance, const Eigen::VectorXd& free,
+              FrictionLaw law, double wide);
 
   /// Goes on along the path.
   /// \param part  of the m at the beginning that is small enough [-]
@@ -75,7 +75,7 @@ class CentralPath {
   double reach_;                ///< how far a step may go
   int first_sign_ = 0;          ///< of the determinant
   Eigen::Index steps_ = 0;
-  SparseLuFactor factor_{Pivots::Diagonal};  ///< what pairs give way by is added to the diagonal of F
+  DiagonalLu factor_;  ///< what pairs give way by is added to the diagonal of F
 };
 
 }  // namespace signorini

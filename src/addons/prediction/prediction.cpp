@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "addons/certified/many_bodies.hpp"
+#include "addons/certified/separate.hpp"
 #include "addons/certified/working_set.hpp"
 #include "addons/prediction/front_speed.hpp"
 #include "addons/prediction/pattern.hpp"

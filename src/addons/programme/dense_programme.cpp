@@ -10,6 +10,7 @@
 #include "addons/certified/proofs.hpp"
 #include "addons/certified/solve_with_proofs.hpp"
 #include "addons/programme/active_set_programme.hpp"
+#include "addons/programme/equation_imbalance.hpp"
 #include "addons/programme/programme_rows.hpp"
 #include "addons/programme/proximal_programme.hpp"
 #include "signorini/core/errors.hpp"
@@ -230,7 +231,7 @@ bool proves_infeasible(const DenseProgramme& programme, const VectorXd& y, const
 }
 
 Certificate certify(const DenseProgramme& programme, const PrimalDual& solution) {
-  return certify(sparse(programme), solution, programme.equations);
+  return certify(sparse(programme), solution, {programme.equations, equation_imbalance});
 }
 
 QuadraticProgramme sparse(const DenseProgramme& programme) {

@@ -6,12 +6,12 @@
 #include <memory>
 #include <utility>
 
+#include "addons/certified/separate.hpp"
 #include "addons/steps/step_parts.hpp"
 #include "addons/steps/steps_limit.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/problem/scaled.hpp"
-#include "signorini/problem/systems.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/step_loop.hpp"
 
@@ -186,12 +186,12 @@ bool Walk::passes_change(double reach, bool looks_for_it) {
   if (share && next > begin && goes(next)) return true;
   if (there) end.limit = change;
   const int most = model.path.halvings;
-  end.reason += text(". The step to ", target,
-                     most == 0 ? text(" may not be halved (halvings = 0)")
-                               : text(" was halved ", most, " times"),
-                     there ? text(", and nothing is found beyond time ", change,
-                                  ", where pairs begin to slide or to open")
-                           : "");
+  end.reason += text(
+      ". The step to ", target,
+      most == 0 ? text(" may not be halved (halvings = 0)") : text(" was halved ", most, " times"),
+      there ? text(", and nothing is found beyond time ", change,
+                   ", where pairs begin to slide or to open")
+            : "");
   return false;
 }
 

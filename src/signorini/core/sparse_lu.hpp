@@ -8,17 +8,10 @@
 
 namespace signorini {
 
-/// What decides on pivots, and with them on the orders P and Q.
-enum class Pivots {
-  Largest,  ///< the largest entry of each column: right for any matrix
-  Diagonal  ///< the diagonal where it is a tenth of that or more: fewer entries where entries lie almost symmetrically
-};
-
 /// P A Q = L U of square matrices A that have their entries in the same places, one after the other.
 class SparseLuFactor {
  public:
-  /// \param pivots  of all matrices
-  explicit SparseLuFactor(Pivots pivots = Pivots::Largest);
+  SparseLuFactor();
   SparseLuFactor(const SparseLuFactor&) = delete;
   SparseLuFactor& operator=(const SparseLuFactor&) = delete;
   ~SparseLuFactor();
@@ -31,8 +24,6 @@ class SparseLuFactor {
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
   /// \return -1 or 1: the sign of the determinant of the last matrix, if no pivot is zero
   [[nodiscard]] int sign() const;
-  /// \return entries of L and U of the last matrix
-  [[nodiscard]] Eigen::Index entries() const;
 
  private:
   struct Numbers;

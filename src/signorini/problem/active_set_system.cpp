@@ -142,19 +142,13 @@ class RowMovement {
 };
 
 // Rows that repeat others are kept or left by their order. Without any, an order is as good as another.
-bool is_of(const ActiveSetSystem& system, const ActiveSet& set) {
-  const auto same = [](const SlidingPair& a, const SlidingPair& b) {
-    return a.gap == b.gap && a.slip == b.slip && a.slope == b.slope && a.offset == b.offset;
-  };
-  const std::vector<SlidingPair>& sliding = system.set.sliding;
-  if (!std::equal(sliding.begin(), sliding.end(), set.sliding.begin(), set.sliding.end(), same))
-    return false;
-  Rows given = system.set.closed, asked = set.closed;
+bool is_of(const ActiveSetSystem& system, ActiveSet set) {
+  Rows given = system.set.closed;
   if (system.rows.size() == given.size()) {
     std::sort(given.begin(), given.end());
-    std::sort(asked.begin(), asked.end());
+    std::sort(set.closed.begin(), set.closed.end());
   }
-  return given == asked;
+  return given == set.closed && system.set.sliding == set.sliding;
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -31,6 +32,11 @@ struct SlidingPair {
     return tau;
   }
 };
+
+/// \param a  a pair \param b  another \return whether all of both is the same
+inline bool operator==(const SlidingPair& a, const SlidingPair& b) {
+  return std::tie(a.gap, a.slip, a.slope, a.offset) == std::tie(b.gap, b.slip, b.slope, b.offset);
+}
 
 /// What follows for the rows of gaps and slips: which of them do not move, and which friction forces are at
 /// their bounds. All other forces vanish.
@@ -223,8 +229,7 @@ void fill_state(const FrictionLaw& law, const std::vector<ContactStatus>& status
 /// \return whether the history of a long run keeps it: 0 to 31, then 16 per doubling
 [[nodiscard]] bool is_kept(Eigen::Index iteration);
 
-/// \param weight  `n_c`
-/// \return the pairs with a positive one, the largest first
+/// \param weight  `n_c` \return the pairs with a positive one, the largest first
 [[nodiscard]] std::vector<Eigen::Index> by_falling(const Eigen::VectorXd& weight);
 
 /// Turns scaled numbers into a state of the original problem, and withdraws a claim that the problem as it was

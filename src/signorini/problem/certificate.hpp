@@ -86,6 +86,16 @@ struct ClaimResiduals {
 [[nodiscard]] Certificate certify(const ClaimResiduals& left, const FrictionLaw& law,
                                   Eigen::Index equations = 0);
 
+/// Equations among the rows of a programme. Their forces have any sign, so that what they leave out of balance is measured behind the
+/// change of them that serves best: who has equations says how.
+struct EquationRows {
+  Eigen::Index count = 0;  ///< so many of the first rows
+  /// Takes the columns of A^T that are equations, what every unknown has itself, see o_j below, and the residual rho; returns
+  /// the largest share of the last in the second
+  double (*imbalance)(Eigen::MatrixXd columns, const Eigen::VectorXd& own,
+                      Eigen::VectorXd residual) = nullptr;
+};
+
 /// Certificate of (u, lambda) against K, p, A, g. \PaperEq{XuanLi2002, 6}, \PaperEq{XuanLi2002, 21},
 /// \PaperEq{LinEtAl, 2} to \PaperEq{LinEtAl, 4}
 ///
@@ -110,13 +120,12 @@ struct ClaimResiduals {
 /// doubles it cannot be better than about 1e-16 |K||u| / |p|, whatever the solver; `displacement_low` removes this floor.
 /// \param programme  K, p, A, g as they were posed
 /// \param solution   u and lambda, from any solver
-/// \param equations  so many of the first rows are equations: both signs of their gap count as
-///   penetration, and no force as tension
+/// \param equations  the first rows, as far as they are some: both signs of their gap count as penetration, and no force as tension
 /// \return the figures; all infinite if any number, given or claimed, is not finite, or if the rigid
 ///   part strains a body: an entry of K times it exceeds certificate_tolerance of its terms
 /// \throws std::invalid_argument if sizes do not fit
 [[nodiscard]] Certificate certify(const QuadraticProgramme& programme, const PrimalDual& solution,
-                                  Eigen::Index equations = 0);
+                                  const EquationRows& equations = {});
 
 /// The same with friction: the last rows of A are slips, and their forces obey the law.
 /// \PaperEq{LinEtAl, 6}, \PaperEq{LinEtAl, 9}, \PaperEq{LinEtAl, 10}

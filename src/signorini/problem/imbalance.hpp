@@ -13,19 +13,16 @@ namespace signorini {
 /// rounding of that, so a larger residual is an error, however large the forces on other unknowns are. Where contact
 /// holds everything, rounding of how far loads and contact forces would move their own unknowns takes the place of u.
 ///
-/// Forces of equations have any sign, and are no part of u. So what they leave out of balance is measured behind a change
-/// of these forces, which takes it from unknowns that have little to others of their equation that have more. An unknown that
-/// an equation defines, z = a x without stiffness and load, has nothing but the force of that equation, which is 0 but for
-/// rounding: what is left there belongs to x, and is measured by what x has. As equations also join soft unknowns with stiff
-/// ones, the displacements u_i are then only those that K joins with u_j, and rounding of the others.
+/// Forces of equations have any sign, and are no part of u: EquationRows says how they come in. As equations also join soft unknowns
+/// with stiff ones, the displacements u_i are then only those that K joins with u_j, and rounding of the others.
 /// \param programme  K, p, A, g
 /// \param solution   u and lambda
 /// \param residual   of the equilibrium `n` [force]
 /// \param diagonal   of K `n` [force/length]
-/// \param equations  so many of the first rows are
+/// \param equations  the first rows, as far as they are some
 /// \return the figure [-]
 [[nodiscard]] double own_imbalance(const QuadraticProgramme& programme, const PrimalDual& solution,
                                    const Eigen::VectorXd& residual, const Eigen::VectorXd& diagonal,
-                                   Eigen::Index equations);
+                                   const EquationRows& equations);
 
 }  // namespace signorini

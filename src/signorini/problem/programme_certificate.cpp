@@ -112,7 +112,8 @@ double length_of(const QuadraticProgramme& programme, const VectorXd& diagonal,
 // Friction forces do work on given slips, and in the duality gap they count as loads.
 Certificate certificate_of(const QuadraticProgramme& programme, const PrimalDual& solution,
                            const VectorXd& diagonal, const VectorXd& imbalance,
-                           const VectorXd& movement, const FrictionLaw& law, Index equations) {
+                           const VectorXd& movement, const FrictionLaw& law,
+                           const EquationRows& equations) {
   const Index slips = static_cast<Index>(law.pair.size());
   VectorXd norm(programme.A.rows());
   for (Index row = 0; row < norm.size(); ++row) norm(row) = programme.A.row(row).norm();
@@ -139,7 +140,7 @@ Certificate certificate_of(const QuadraticProgramme& programme, const PrimalDual
       programme.load - programme.A.bottomRows(slips).transpose() * solution.force.tail(slips);
   left.position = solution.displacement;
   left.imbalance = imbalance;
-  return certify(left, law, equations);
+  return certify(left, law, equations.count);
 }
 
 // An entry of K that is no more than rounding of its diagonal connects no systems. What it
@@ -169,16 +170,18 @@ VectorXd entries(const VectorXd& v, const std::vector<Index>& places) {
 // rounding does. Whether anything is unconnected, and the diagonal, may be known from the load before:
 // of a hundred loads on one scene the first asks, and for the others it is as true.
 Certificate certificate_of(const QuadraticProgramme& programme, const PrimalDual& solution,
-                           const FrictionLaw& law, Index equations, const KnownMatrices* known) {
+                           const FrictionLaw& law, const EquationRows& equations,
+                           const KnownMatrices* known) {
   const VectorXd imbalance = equilibrium_residual(programme, solution);
   const VectorXd movement = gaps(programme, solution);
   std::vector<SystemParts> systems;
   if (known == nullptr || !known->connected)
     systems = unconnected_systems(programme, law, {}, epsilon);
   if (systems.empty())
-    return certificate_of(programme, solution,
-                          known != nullptr ? known->diagonal : VectorXd(programme.stiffness.diagonal()),
-                          imbalance, movement, law, equations);
+    return certificate_of(
+        programme, solution,
+        known != nullptr ? known->diagonal : VectorXd(programme.stiffness.diagonal()), imbalance,
+        movement, law, equations);
   const VectorXd load = loads_of_systems(programme, solution, systems);
   const Index pairs = programme.A.rows() - static_cast<Index>(law.pair.size());
   Certificate worst;
@@ -190,23 +193,24 @@ Certificate certificate_of(const QuadraticProgramme& programme, const PrimalDual
     const PrimalDual part{entries(solution.displacement, unknowns),
                           entries(solution.displacement_low, unknowns),
                           entries(solution.force, rows), entries(solution.rigid, unknowns)};
-    const auto own = std::lower_bound(rows.begin(), rows.end(), equations) - rows.begin();
+    const Index own = std::lower_bound(rows.begin(), rows.end(), equations.count) - rows.begin();
     worst = worst_of(worst, certificate_of(alone, part, alone.stiffness.diagonal(),
                                            imbalance(unknowns), movement(rows),
-                                           part_of(law, pairs, parts), own));
+                                           part_of(law, pairs, parts), {own, equations.imbalance}));
   }
   return worst;
 }
 
 }  // namespace
 
-// Without friction the first rows may be equations: their forces may have any sign.
+// Without friction the first rows may be equations: their forces may have any sign. Contact has none; who
+// solves programmes with equations brings along how their forces are measured.
 Certificate certify(const QuadraticProgramme& programme, const PrimalDual& solution,
-                    Index equations) {
+                    const EquationRows& equations) {
   check_sizes(programme, solution);
-  require_argument(equations >= 0 && equations <= programme.initial_gap.size(),
+  require_argument(equations.count >= 0 && equations.count <= programme.initial_gap.size(),
                    "certify: equations must be 0 to ", programme.initial_gap.size(), ", got ",
-                   equations);
+                   equations.count);
   return certificate_of(programme, solution, {}, equations, nullptr);
 }
 
@@ -216,7 +220,7 @@ Certificate certify(const QuadraticProgramme& programme, const PrimalDual& solut
   check_sizes(programme, solution);
   const Index slips = static_cast<Index>(law.pair.size());
   check_law(law, programme.A.rows() - slips, slips);
-  return certificate_of(programme, solution, law, 0, known);
+  return certificate_of(programme, solution, law, {}, known);
 }
 
 }  // namespace signorini

@@ -145,12 +145,6 @@ std::vector<SystemParts> unconnected_systems(const QuadraticProgramme& programme
   return systems;
 }
 
-// A hundred loads on the same bodies ask the same question of the same matrices. Where everything
-// hangs together although rounding connects nothing, it does so with rounding and rigid motions, too.
-KnownMatrices known_matrices(const QuadraticProgramme& programme, const FrictionLaw& law) {
-  return {programme.stiffness.diagonal(), joined(programme, law, {}, epsilon).count() < 2};
-}
-
 // If everything hangs together, unconnected_systems() returns no list: the caller then takes the
 // programme as it is and copies nothing. Who wants to treat both cases alike takes the whole as the
 // only system.
@@ -207,13 +201,6 @@ FrictionLaw part_of(const FrictionLaw& law, Index pairs, const SystemParts& part
   part.coefficient = law.coefficient(slips);
   part.cohesion = law.cohesion(slips);
   return part;
-}
-
-// Dense matrices have the rows of one system each, and so the largest decides what they cost.
-Eigen::Index largest_of(const std::vector<SystemParts>& systems) {
-  std::size_t most = 0;
-  for (const SystemParts& parts : systems) most = std::max(most, parts.rows.size());
-  return static_cast<Index>(most);
 }
 
 }  // namespace signorini
