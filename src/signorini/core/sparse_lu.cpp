@@ -30,7 +30,9 @@ bool has_empty_columns(const Eigen::SparseMatrix<double>& matrix) {
 
 }  // namespace
 
-// SparseLU takes the inverse of the permutation that AMDOrdering returns.
+// The two kinds of factor differ in the order Q, which Eigen makes part of the type. SparseLU takes
+// the inverse of the permutation that AMDOrdering returns: taken as it is, it is as bad an order as
+// any.
 struct SparseLuFactor::Numbers {
   struct MinimumDegree {
     using PermutationType = Eigen::AMDOrdering<int>::PermutationType;
@@ -54,6 +56,8 @@ SparseLuFactor::SparseLuFactor(Pivots pivots) : numbers_(std::make_unique<Number
 // The header does not know what `Numbers` are. So the destructor stands here, where they are known.
 SparseLuFactor::~SparseLuFactor() = default;
 
+// The first matrix decides on the order. Later ones with entries in other places would get a wrong
+// one.
 bool SparseLuFactor::factorise(const Eigen::SparseMatrix<double>& matrix) {
   if (has_empty_columns(matrix)) return false;
   const bool ordered = std::exchange(numbers_->ordered, true);
@@ -66,6 +70,7 @@ bool SparseLuFactor::factorise(const Eigen::SparseMatrix<double>& matrix) {
       numbers_->lu);
 }
 
+// Two triangular solves, between the two permutations.
 Eigen::VectorXd SparseLuFactor::solve(const Eigen::VectorXd& b) const {
   return std::visit([&](const auto& lu) { return Eigen::VectorXd(lu.solve(b)); }, numbers_->lu);
 }
@@ -78,6 +83,7 @@ int SparseLuFactor::sign() const {
   return std::visit(of, numbers_->lu);
 }
 
+// What a factor takes grows with these, as does what a solve takes.
 Eigen::Index SparseLuFactor::entries() const {
   return std::visit([](const auto& lu) { return Eigen::Index{lu.nnzL() + lu.nnzU()}; }, numbers_->lu);
 }
