@@ -1,9 +1,12 @@
 #include "addons/checks/moved_forces.hpp"
 
 #include <map>
+#include <optional>
+#include <utility>
 
 #include "addons/certified/many_bodies.hpp"
 #include "addons/certified/solve_with_proofs.hpp"
+#include "addons/certified/working_set.hpp"
 #include "addons/equations/eliminate.hpp"
 #include "signorini/contact/gaps.hpp"
 #include "signorini/problem/active_set_system.hpp"
@@ -55,6 +58,17 @@ ContactState solved(const QuadraticProgramme& programme, const FrictionLaw& law,
   return none;
 }
 
+/// The same where the compliance was left out: only pairs that may close there are condensed.
+std::optional<CertifiedSolution> solved_by_few(Model model, Condensed condensed, const VectorXd& free_gap,
+                                               const ContactState& contact) {
+  model.programme.initial_gap += free_gap - condensed.problem.free_gap;
+  condensed.problem.free_gap = free_gap;
+  SolverOptions options;
+  options.start = all_statuses(contact);
+  Ledger unseen;
+  return working_set_solution(model, condensed, primal_dual_active_set(), options, unseen);
+}
+
 /// Whether the model was solved by its entries: the compliance of what is asked now is as needless.
 bool by_entries(const Model& model, const Condensed& condensed) {
   return !is_complete(condensed) && solved_whole(model);
@@ -91,10 +105,13 @@ ContactState forces_nearby(const Model& model, const Condensed& condensed,
     open_far(opens, displacement, programme.initial_gap);
     return solved(programme, model.law, contact);
   }
+  VectorXd free_gap = condensed.problem.free_gap + opens;
+  open_far(opens, displacement, free_gap);
+  if (!is_complete(condensed))
+    if (auto few = solved_by_few(model, condensed, free_gap, contact)) return std::move(few->state);
   Ledger unseen;
   ContactProblem problem = completed(model, condensed, unseen).problem;
-  problem.free_gap += opens;
-  open_far(opens, displacement, problem.free_gap);
+  problem.free_gap = free_gap;
   return solved(problem, contact);
 }
 

@@ -40,7 +40,7 @@ struct PairForces {
 /// The same with the rows and the compliance of the pairs in the meshes, so that only gaps are others: for pairs that hardly
 /// moved, and no fresh ones.
 /// \param model         that was solved
-/// \param condensed     of it; a compliance that was left out is made here
+/// \param condensed     of it; of a compliance that was left out only the rows that are needed are made
 /// \param displacement  `2 n_nodes` [length]
 /// \param opens         `n_c` by how much gaps are larger there than the linear ones [length]
 /// \param contact       that was found
