@@ -8,6 +8,7 @@
 #include "addons/certified/end_words.hpp"
 #include "addons/certified/many_bodies.hpp"
 #include "addons/certified/proofs.hpp"
+#include "addons/certified/separate.hpp"
 #include "addons/certified/working_set.hpp"
 #include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"
