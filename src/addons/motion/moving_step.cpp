@@ -16,7 +16,6 @@
 #include "addons/motion/moving_step.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "addons/motion/held_by_pairs.hpp"
@@ -48,15 +47,6 @@ struct Linearised {
   std::vector<PairName> names;
   FrictionLaw law;
 };
-
-double smallest_size(const Model& model) {
-  double size = std::numeric_limits<double>::infinity();
-  for (const BodyModel& body : model.bodies) {
-    const NodeArray& nodes = body.mesh.nodes;
-    size = std::min(size, (nodes.colwise().maxCoeff() - nodes.colwise().minCoeff()).norm());
-  }
-  return size;
-}
 
 /// A step while it is solved.
 struct Moving {
