@@ -314,6 +314,47 @@ TEST_CASE("a path of moving bodies goes on from a state to the same bits", "[mot
       ContainsSubstring("is of another scene"));
 }
 
+// Each step is taken twice, with what the state knows of the last way and without: both end at the same place.
+TEST_CASE("a step begins where the way of the last one leads on, and takes fewer iterations",
+          "[motion]") {
+  MovingBlocks of;
+  of.press = 0.05;
+  of.drag = 1.25;
+  of.steps = 15;
+  Scene scene = moving_blocks(of);
+  for (Body& body : scene.bodies) {
+    body.element = "q4";
+    body.material.law = find_strain_law("neo_hooke");
+  }
+  Ledger ledger;
+  Model model = build(scene, ledger);
+  CondensedPath path = condense_path(model, ledger);
+  PathState state;
+  long long with = 0, without = 0;
+  for (const double time : scene.path->times) {
+    PathState blind = state;
+    blind.way = {};
+    const Step other = step(blind, time, model, path, {});
+    const Step next = step(state, time, model, path, {});
+    REQUIRE(next.solution.contact.report.status == SolveStatus::Solved);
+    const VectorXd& force = next.state.solution.force;
+    REQUIRE(other.state.solution.force.size() == force.size());
+    CHECK((other.state.solution.force - force).cwiseAbs().maxCoeff() <=
+          1e-10 * force.cwiseAbs().maxCoeff());
+    if (state.way.size() > 0) {
+      with += next.solution.ledger.counted("pairs", "searches");
+      without += other.solution.ledger.counted("pairs", "searches");
+    } else {
+      CHECK(next.state.steps <= 3);  // from the scene, at a turn of the loads and behind it
+      CHECK(other.state.solution.displacement == next.state.solution.displacement);
+    }
+    state = next.state;
+  }
+  CAPTURE(with, without);
+  CHECK(with <= 0.9 * without);
+  CHECK(state.began < state.time);
+}
+
 TEST_CASE("what bodies that move cannot have is refused with the way out", "[motion]") {
   const auto message = [](const auto& change) {
     Scene scene = moving_blocks();

@@ -6,9 +6,14 @@
 //
 // Positions are doubles, and \f$ \hat x = X + u \f$ is rounded. What rounding took is known to the last digit, and moves the
 // gap by its row: so the gap of u is right to first order in it.
+//
+// A die that irons a long slab touches a few of its nodes, and the others cost as much. Pairs that are farther apart than the
+// smallest body is large are left out. Nothing is lost by this: they are open, and each iteration finds anew which are near.
 
 #include "addons/motion/moved_pairs.hpp"
 
+#include <algorithm>
+#include <limits>
 #include <memory>
 #include <string>
 
@@ -103,6 +108,15 @@ void add_rest(const NodeArray& rest, const Unknowns& unknowns, Gaps& gaps) {
 
 }  // namespace
 
+double smallest_size(const Model& model) {
+  double size = std::numeric_limits<double>::infinity();
+  for (const BodyModel& body : model.bodies) {
+    const NodeArray& nodes = body.mesh.nodes;
+    size = std::min(size, (nodes.colwise().maxCoeff() - nodes.colwise().minCoeff()).norm());
+  }
+  return size;
+}
+
 void place_bodies(const Scene& scene, const Displaced& displacement, const Displaced& before,
                   Model& model) {
   const NodeArray still = nodes_of(model.bodies);
@@ -113,6 +127,7 @@ void place_bodies(const Scene& scene, const Displaced& displacement, const Displ
   Plan draft;
   const auto standing =
       std::make_shared<Standing>(Standing{displacement.high, earlier.rounded, moved - now.rest});
+  if (!displacement.high.isZero(0)) standing->reach = smallest_size(model);
   draft.standing = standing;
   // A rigid obstacle stands still: what a node has moved since the last step is its slip.
   draft.fits = {[&standing = *standing](const ContactSpec& /*contact*/, Pairs& pairs) {

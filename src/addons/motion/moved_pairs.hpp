@@ -18,6 +18,9 @@ namespace signorini {
 void place_bodies(const Scene& scene, const Displaced& displacement, const Displaced& before,
                   Model& model);
 
+/// \param model  with bodies \return the diagonal of the smallest one [length]
+[[nodiscard]] double smallest_size(const Model& model);
+
 /// Lets gaps and slips of a model that was placed count from the scene: \f$ g - Au \f$ with all of u is what they are there.
 /// \param displacement  of all nodes, where the bodies stand
 /// \param[in,out] model  from place_bodies()

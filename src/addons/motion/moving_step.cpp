@@ -16,7 +16,6 @@
 #include "addons/motion/moving_step.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "addons/motion/held_by_pairs.hpp"
@@ -49,15 +48,6 @@ struct Linearised {
   FrictionLaw law;
 };
 
-double smallest_size(const Model& model) {
-  double size = std::numeric_limits<double>::infinity();
-  for (const BodyModel& body : model.bodies) {
-    const NodeArray& nodes = body.mesh.nodes;
-    size = std::min(size, (nodes.colwise().maxCoeff() - nodes.colwise().minCoeff()).norm());
-  }
-  return size;
-}
-
 /// A step while it is solved.
 struct Moving {
   const Displaced& before;
@@ -76,9 +66,10 @@ struct Moving {
   Solution linear_problem();
   bool goes_to(const Solution& solution);
   [[nodiscard]] bool holds_here(Solution& solution, const Linearised& solved) const;
-  void hand_on(const Linearised& solved, const ContactState& contact);
+  void hand_on(const std::vector<PairName>& names, const std::vector<ContactStatus>& statuses);
+  void begin(const VectorXd& expected);
   bool ends(Solution& solution);
-  Solution solved();
+  Solution solved(const VectorXd& expected);
 };
 
 /// None at rest, where the linear problem is that of the scene, and none while supports still move: that way may be longer than the
@@ -151,18 +142,29 @@ std::string why_not_ended(const std::string& reason, const std::string& indefini
 }
 
 /// What is known of the pairs that were, for those that are now.
-void Moving::hand_on(const Linearised& solved, const ContactState& contact) {
-  const std::vector<Index> same = numbers_among(solved.names, names_of_pairs(model));
-  const std::vector<ContactStatus> statuses = all_statuses(contact);
+void Moving::hand_on(const std::vector<PairName>& names,
+                     const std::vector<ContactStatus>& statuses) {
+  const std::vector<Index> same = numbers_among(names, names_of_pairs(model));
   options.start.assign(same.size(), ContactStatus::Open);
   for (std::size_t k = 0; k < same.size(); ++k)
     if (same[k] >= 0) options.start[k] = statuses[static_cast<std::size_t>(same[k])];
   held = held_rows(options.start, model.law);
 }
 
+/// Goes to where the unknowns are expected, if pairs can be found there and no cell inverts; else the step begins where the last one
+/// ended.
+void Moving::begin(const VectorXd& expected) {
+  if (expected.size() > 0) try {
+      const std::vector<PairName> names = names_of_pairs(model);
+      place.move(place.ahead({expected, {}, {}}, 1), ledger);
+      return hand_on(names, std::vector<ContactStatus>(options.start));
+    } catch (const ProblemError&) {
+    }
+  place.move(before, ledger);
+}
+
 /// Iterations until one holds. \return whether one did
 bool Moving::ends(Solution& solution) {
-  place.move(before, ledger);
   while (++iteration <= most_iterations) {
     const Linearised problem{names_of_pairs(model), model.law};
     solution = linear_problem();
@@ -171,15 +173,16 @@ bool Moving::ends(Solution& solution) {
     const bool gone = goes_to(solution);
     if (gone && holds_here(solution, problem)) return true;
     if (!gone) break;
-    hand_on(problem, solution.contact);
+    hand_on(problem.names, all_statuses(solution.contact));
   }
   solution.contact.report.status = SolveStatus::IterationLimit;
   solution.contact.reason = why_not_ended(reason, why_indefinite(model, rung));
   return false;
 }
 
-Solution Moving::solved() {
+Solution Moving::solved(const VectorXd& expected) {
   Solution solution;
+  begin(expected);
   if (ends(solution)) {
     place.conclude(solution);
     judge_turns(model, solution);
@@ -200,12 +203,13 @@ StepLoop moving_step(PlacePairs place) {
     place(displacement, before, model);
     count_from_the_scene(displacement, model);
   };
-  loop.solve = [place = std::move(place)](const Displaced& before, const SolverOptions& options,
-                                          Model& model, Condensed& condensed, Ledger ledger) {
+  loop.solve = [place = std::move(place)](const Displaced& before, const VectorXd& expected,
+                                          const SolverOptions& options, Model& model,
+                                          Condensed& condensed, Ledger ledger) {
     return Moving{before,  model,
                   condensed, options,
                   std::move(ledger), LinearisedModel(place, before, model)}
-        .solved();
+        .solved(expected);
   };
   loop.certify = certificate_where_it_stands;
   return loop;

@@ -29,7 +29,7 @@ void check_sizes(const PathState& state, const Model& model) {
     const Index sizes = static_cast<Index>(state.contact_status.size()) + state.slip.size() +
                         state.increment.size() + state.dissipation.size() +
                         solution.displacement.size() + solution.displacement_low.size() +
-                        solution.rigid.size() + solution.force.size();
+                        solution.rigid.size() + solution.force.size() + state.way.size();
     require_input(
         state.time == 0 && sizes == 0,
         "a state before the first step is empty and of time 0, but "
@@ -45,6 +45,7 @@ void check_sizes(const PathState& state, const Model& model) {
       solution.displacement.size() == n &&
       (solution.displacement_low.size() == 0 || solution.displacement_low.size() == n) &&
       (solution.rigid.size() == 0 || solution.rigid.size() == n) &&
+      (state.way.size() == 0 || state.way.size() == n) &&
       solution.force.size() == pairs + slips;
   require_input(fits, "the state at time ", state.time, " is of another scene: it has ",
                 solution.displacement.size(), " unknowns, ", state.contact_status.size(),
@@ -52,7 +53,7 @@ void check_sizes(const PathState& state, const Model& model) {
                 slips);
   require_input(
       state.steps > 0 && std::isfinite(state.time) && state.slip.allFinite() &&
-          state.increment.allFinite() && state.dissipation.allFinite(),
+          state.increment.allFinite() && state.dissipation.allFinite() && state.way.allFinite(),
       "the state after step ", state.steps, " at time ", state.time,
       " has numbers that are not finite or steps below 0: go on from one that was solved");
 }

@@ -3,6 +3,10 @@
 // Pairs of such a step are those of the place where it ends. So what a pair knows, its slip and the work that it dissipated,
 // goes by contact and node from the old pairs to the new ones. What a node dissipated that has no pair any more is kept in
 // one sum.
+//
+// Such a step is a loop, and it takes fewer iterations if it begins near its end. If loads go on as they did, so do bodies:
+// the loop begins where the way of the step before leads on. The first step behind a turn of the loads is not gone on with: bodies
+// that stick there may slide next.
 
 #include <utility>
 #include <vector>
@@ -39,6 +43,20 @@ void hand_on(const std::vector<PairName>& names, const Model& model, PathState& 
     if (!stays[k]) state.dissipated_elsewhere += dissipation(static_cast<Index>(k));
 }
 
+/// How far loads go on as in the last step: their changes, seen along those of that step.
+/// \return over these; 0 if loads turn
+double share_gone_on(const PathState& past, double time, const Model& model) {
+  double along = 0;
+  double last = 0;
+  for (const LoadPart& part : model.parts) {
+    const double now = factor_of(model.path, part, past.time);
+    const double change = now - factor_of(model.path, part, past.began);
+    along += change * (factor_of(model.path, part, time) - now);
+    last += change * change;
+  }
+  return along > 0 ? along / last : 0;
+}
+
 }  // namespace
 
 Step moved_step(const PathState& past, double time, Model& model, CondensedPath& path,
@@ -52,11 +70,19 @@ Step moved_step(const PathState& past, double time, Model& model, CondensedPath&
   path.condensed.free_displacement = free_displacement(time, model, path);
   SolverOptions options;
   options.start = past.contact_status;
-  Step result{model.loop->solve(before, options, model, path.condensed, std::move(ledger)), past};
+  const double share = share_gone_on(past, time, model);
+  const VectorXd expected = share > 0 ? VectorXd(share * past.way) : VectorXd();
+  Step result{
+      model.loop->solve(before, expected, options, model, path.condensed, std::move(ledger)), past};
   if (result.solution.contact.report.status != SolveStatus::Solved) return result;
   PathState known = past;
   hand_on(names, model, known);
   result.state = after(known, time, model, VectorXd(), result.solution);
+  result.state.began = past.time;
+  result.state.way = {};
+  if (share > 0)
+    result.state.way =
+        result.state.solution.displacement - restricted(model.unknowns, before.high);
   return result;
 }
 

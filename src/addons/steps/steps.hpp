@@ -44,6 +44,9 @@ struct PathState {
   /// Of bodies that move: what nodes dissipated until they lost their pair [force*length]
   double dissipated_elsewhere = 0;
   PrimalDual solution = {};  ///< u in two parts and forces of all rows of A, of the last step
+  double began = 0;  ///< of bodies that move: when the last step began [time]
+  /// `n` how far their unknowns went in it; empty if loads turned at its beginning [length]
+  Eigen::VectorXd way = {};
 };
 
 /// A step of a path.

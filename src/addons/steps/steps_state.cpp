@@ -12,7 +12,8 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 constexpr const char* first_line = "signorini-state-1";
-constexpr const char* elsewhere = "dissipated-elsewhere";  // only where bodies move
+constexpr const char* began = "last-step-began";           // only where bodies move
+constexpr const char* elsewhere = "dissipated-elsewhere";  // too
 constexpr std::string_view status_letters = "osfb";        // in the order of ContactStatus
 
 /// The vectors of a state, by name.
@@ -41,6 +42,34 @@ Index next_size(TextReader& reader, const std::string& name, Index least = 0) {
   return size;
 }
 
+void write_vector(const char* name, const VectorXd& values, std::ostream& out) {
+  out << name << ' ' << values.size() << '\n';
+  for (const double value : values) out << shortest(value) << '\n';
+}
+
+void read_vector(TextReader& reader, const char* name, VectorXd& values) {
+  values.resize(next_size(reader, name));
+  reader.check_room(values.size(), 1, name);
+  for (double& value : values) value = reader.number(reader.word_anywhere(), name);
+}
+
+/// What only bodies that move have, at the end of the file.
+void read_motion(TextReader& reader, PathState& state) {
+  if (!reader.next_line()) return;
+  std::string_view word = reader.word();
+  if (word == began) {
+    state.began = reader.number(reader.word(), began);
+    reader.expect_end_of_line(began);
+    read_vector(reader, "way", state.way);
+    if (!reader.next_line()) return;
+    word = reader.word();
+  }
+  if (word != elsewhere) reader.fail("the end of the file", word);
+  state.dissipated_elsewhere = reader.number(reader.word(), elsewhere);
+  reader.expect_end_of_line(elsewhere);
+  if (reader.next_line()) reader.fail("the end of the file", reader.word());
+}
+
 }  // namespace
 
 void write_state(const PathState& state, std::ostream& out) {
@@ -49,9 +78,12 @@ void write_state(const PathState& state, std::ostream& out) {
   for (const ContactStatus contact_status : state.contact_status)
     out << status_letters[static_cast<std::size_t>(contact_status)] << '\n';
   visit_vectors(state, [&](const char* name, const VectorXd& values) {
-    out << name << ' ' << values.size() << '\n';
-    for (const double value : values) out << shortest(value) << '\n';
+    write_vector(name, values, out);
   });
+  if (state.began > 0) {
+    out << began << ' ' << shortest(state.began) << '\n';
+    write_vector("way", state.way, out);
+  }
   if (state.dissipated_elsewhere != 0)
     out << elsewhere << ' ' << shortest(state.dissipated_elsewhere) << '\n';
 }
@@ -74,16 +106,9 @@ PathState read_state(const std::string& content, const std::string& name) {
     state.contact_status.push_back(static_cast<ContactStatus>(contact_status));
   }
   visit_vectors(state, [&](const char* what, VectorXd& values) {
-    values.resize(next_size(reader, what));
-    reader.check_room(values.size(), 1, what);
-    for (double& value : values) value = reader.number(reader.word_anywhere(), what);
+    read_vector(reader, what, values);
   });
-  if (!reader.next_line()) return state;
-  const std::string_view word = reader.word();
-  if (word != elsewhere) reader.fail("the end of the file", word);
-  state.dissipated_elsewhere = reader.number(reader.word(), elsewhere);
-  reader.expect_end_of_line(elsewhere);
-  if (reader.next_line()) reader.fail("the end of the file", reader.word());
+  read_motion(reader, state);
   return state;
 }
 

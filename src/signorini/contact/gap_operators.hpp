@@ -8,6 +8,7 @@
 /// not ask which operator made them.
 #pragma once
 #include <Eigen/Core>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,9 @@ struct GapOptions {
   /// `n_nodes x 2` where the nodes of all bodies stood before they came to where the meshes have them [length]; with S, a
   /// member then says how far its points have `slid` since, along the sides that they face. Null: nothing has moved.
   const NodeArray* before = nullptr;
+  /// Nodes all of whose points are farther from the target get no pair, unless all are [length]; for bodies that move, of
+  /// which new pairs are found again and again
+  double reach = std::numeric_limits<double>::infinity();
 };
 
 /// One member of the family.

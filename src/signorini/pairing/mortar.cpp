@@ -17,7 +17,11 @@
 
 #include "signorini/pairing/mortar.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "signorini/core/errors.hpp"
@@ -69,6 +73,18 @@ Collected sample(const Interface& interface, const GapOptions& options, int n_po
   return all;
 }
 
+/// Leaves out the nodes all of whose points are farther off than a reach. If there are no others, they stay.
+void leave_out_far(double reach, Collected& all) {
+  std::set<Index> near;
+  for (const PairPoint& point : all.points)
+    if (point.place.gap <= reach) near.insert(point.pair);
+  if (near.empty()) return;
+  const auto far = [&](const PairPoint& point) { return near.count(point.pair) == 0; };
+  all.points.erase(std::remove_if(all.points.begin(), all.points.end(), far), all.points.end());
+  for (auto it = all.weights.begin(); it != all.weights.end();)
+    it = near.count(it->first) == 0 ? all.weights.erase(it) : std::next(it);
+}
+
 /// Until here a point knows its node. Nodes without weight have dropped out, so pairs are counted
 /// anew.
 Eigen::VectorXd number(const std::vector<Index>& nodes, Collected& all) {
@@ -99,6 +115,7 @@ Pairs mortar(const Surface& source, const Surface& target, const GapOptions& opt
       source.mesh.order() == MeshOrder::Quadratic || target.mesh.order() == MeshOrder::Quadratic;
   const int own = options.quadrature == Quadrature::Segments && curved ? 3 : 2;
   Collected all = sample(interface, options, options.points > 0 ? options.points : own);
+  if (std::isfinite(options.reach)) leave_out_far(options.reach, all);
   Pairs pairs;
   for (const Index node : boundary_nodes(source.mesh, source.boundary))
     (all.weights.count(node) != 0 ? pairs.node : pairs.unpaired).push_back(node);

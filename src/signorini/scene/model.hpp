@@ -9,6 +9,7 @@
 /// A block of 3 x 3 nodes on a rigid plane has 18 unknowns, less those that supports hold, and 3 rows of gaps.
 #pragma once
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -67,6 +68,7 @@ struct Standing {
   NodeArray displacement;  ///< `n_nodes x 2` of all nodes, from the scene to there [length]
   NodeArray before;  ///< `n_nodes x 2` where the nodes stood at the end of the last step [length]
   NodeArray since;   ///< `n_nodes x 2` by how much they have moved since then [length]
+  double reach = std::numeric_limits<double>::infinity();  ///< of pairs that are found there, see GapOptions [length]
 };
 struct StepLoop;
 

@@ -22,7 +22,10 @@ Pairs pair_up(const ContactSpec& contact, const std::vector<BodyModel>& bodies, 
   const Surface source = surface(bodies, contact.source);
   const Depth depth = depth_of(bodies[body_index(bodies, contact.source)].material);
   GapOptions options{count_nodes(bodies), depth, sliding, contact.points, contact.quadrature};
-  if (standing != nullptr) options.before = &standing->before;
+  if (standing != nullptr) {
+    options.before = &standing->before;
+    options.reach = standing->reach;
+  }
   if (const Obstacle* obstacle = std::get_if<Obstacle>(&contact.target))
     return node_to_obstacle(source, *obstacle, options);
   const Side& side = std::get<Side>(contact.target);

@@ -27,11 +27,13 @@ struct StepLoop {
   /// Finds the pairs of a model anew and writes `pairs`, `law`, A and g, linear about there in all that the bodies have moved
   /// from the scene. Throws ProblemError if that cannot be, and then leaves the model as it was.
   std::function<void(const Displaced& displacement, const Displaced& before, Model& model)> place;
-  /// Solves a step of a model that has its loads and is placed where the step before ended, at `before`. It
+  /// Solves a step of a model that has its loads and is placed where the step before ended, at `before`; `expected` is the way
+  /// of its unknowns if they go on as in that step, empty if nothing is known. It
   /// is then placed where the solution is, which is certified there. `condensed` has the factor and the free
   /// displacements; its compliance, gaps and law become those of the last iteration.
-  std::function<Solution(const Displaced& before, const SolverOptions& options, Model& model,
-                         Condensed& condensed, Ledger ledger)>
+  std::function<Solution(const Displaced& before, const Eigen::VectorXd& expected,
+                         const SolverOptions& options, Model& model, Condensed& condensed,
+                         Ledger ledger)>
       solve;
   /// The certificate of a claim, with u from the scene, of a model that has its loads and is placed there. \return of the equations at that place, not
   /// of linear ones
