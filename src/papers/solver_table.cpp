@@ -64,9 +64,11 @@ Solver literal() {
 
 // `enumerate` tries every set, so it takes only few pairs.
 Solver oracle() {
-  return member("enumerate", "tries every set of closed pairs; the oracle of the tests", enumerate)
-      .up_to(largest_enumeration)
-      .may_fail_on({Trait::Infeasible});
+  Solver every =
+      member("enumerate", "tries every set of closed pairs; the oracle of the tests", enumerate)
+          .may_fail_on({Trait::Infeasible});
+  every.largest = largest_enumeration;
+  return every;
 }
 
 // One pair at a time is the textbook's way. Groups, as in the quasi-active set, need fewer steps, each of

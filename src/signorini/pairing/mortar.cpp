@@ -19,7 +19,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
@@ -82,7 +81,7 @@ void leave_out_far(double reach, Collected& all) {
   const auto far = [&](const PairPoint& point) { return near.count(point.pair) == 0; };
   all.points.erase(std::remove_if(all.points.begin(), all.points.end(), far), all.points.end());
   for (auto it = all.weights.begin(); it != all.weights.end();)
-    it = near.count(it->first) == 0 ? all.weights.erase(it) : std::next(it);
+    it = near.count(it->first) == 0 ? all.weights.erase(it) : ++it;
 }
 
 /// Until here a point knows its node. Nodes without weight have dropped out, so pairs are counted

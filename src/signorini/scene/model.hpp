@@ -6,6 +6,7 @@
 /// The plan knows its sizes: unknowns, rows, rigid motions. The model knows its numbers as well: K, p, A and g. A plan is
 /// cheap, because nothing is assembled for it. So a user may read what a run will compute before the run begins.
 /// build() moves the plan into the model: one is the other with more known.
+/// What is absent in a scene has left nothing in either.
 /// A block of 3 x 3 nodes on a rigid plane has 18 unknowns, less those that supports hold, and 3 rows of gaps.
 #pragma once
 #include <functional>

@@ -54,11 +54,6 @@ struct Solver {
   /// method astray mostly does not meet the other
   std::vector<Solver (*)()> others = {};
 
-  /// \param pairs  most that it accepts \return the member with it
-  Solver& up_to(Eigen::Index pairs) {
-    largest = pairs;
-    return *this;
-  }
   /// \param traits  on which it may fail \return the member with them
   Solver& may_fail_on(std::vector<Trait> traits) {
     may_fail = std::move(traits);
