@@ -83,10 +83,10 @@ VectorXd weights_of_least(const MatrixXd& left) {
 
 }  // namespace
 
-Solution corrected_solve(Model& model, const TurnedForces& turned, SolverOptions options,
-                         Condensed& condensed, Ledger ledger, bool& closer) {
-  closer = true;
-  if (!turned) return solve(model, condensed, model.solver, std::move(ledger), options);
+Corrected corrected_solve(Model& model, const TurnedForces& turned, SolverOptions options,
+                          Condensed& condensed, Ledger ledger) {
+  if (!turned) return {solve(model, condensed, model.solver, std::move(ledger), options)};
+  bool closer = true;
   const VectorXd load = model.programme.load;
   {
     const Ledger::Phase phase(ledger, "corrections");
@@ -116,7 +116,7 @@ Solution corrected_solve(Model& model, const TurnedForces& turned, SolverOptions
   }
   Solution solution = solve(model, condensed, model.solver, std::move(ledger), options);
   model.programme.load = load;
-  return solution;
+  return {std::move(solution), closer};
 }
 
 }  // namespace signorini

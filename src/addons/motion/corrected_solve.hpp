@@ -15,6 +15,12 @@ namespace signorini {
 using TurnedForces =
     std::function<Eigen::VectorXd(const Eigen::VectorXd& way, const Eigen::VectorXd& force)>;
 
+/// What became of a linear problem.
+struct Corrected {
+  Solution solution;   ///< in the way d
+  bool closer = true;  ///< whether corrections led closer to a way that is its own load; else the solution is without them
+};
+
 /// Solves a linear problem whose contact forces turn with the way d that is its solution. They are a load, which needs d, so the
 /// problem is solved up to six times with one factor: for d alone, without refinement, and then once as any other.
 /// \param model      with p, which it keeps
@@ -22,10 +28,9 @@ using TurnedForces =
 /// \param options    for the solver
 /// \param condensed  with the factor and the compliance of the model; gets free displacements
 /// \param ledger     goes on in the solution, with the phase `corrections`
-/// \param[out] closer  whether corrections led closer to a way that is its own load; else the solution is without them
 /// \return the solution
-[[nodiscard]] Solution corrected_solve(Model& model, const TurnedForces& turned,
-                                       SolverOptions options, Condensed& condensed, Ledger ledger,
-                                       bool& closer);
+[[nodiscard]] Corrected corrected_solve(Model& model, const TurnedForces& turned,
+                                        SolverOptions options, Condensed& condensed,
+                                        Ledger ledger);
 
 }  // namespace signorini

@@ -84,9 +84,9 @@ TurnedForces lacking(const TangentProblem& problem, std::size_t rung, double spr
 }
 
 /// One try. \return nothing if K has no factor
-std::optional<Solution> try_rung(std::size_t number, const Tangent& tangent,
-                                 const TangentProblem& problem, Condensed& condensed,
-                                 Ledger& ledger, bool& closer) {
+std::optional<Corrected> try_rung(std::size_t number, const Tangent& tangent,
+                                  const TangentProblem& problem, Condensed& condensed,
+                                  Ledger& ledger) {
   Model& model = problem.model;
   QuadraticProgramme& programme = model.programme;
   const Rung& rung = ladder[number];
@@ -104,11 +104,10 @@ std::optional<Solution> try_rung(std::size_t number, const Tangent& tangent,
   }
   model.order = condensed.factor.order();  // patterns of a step hardly differ
   ledger.count("factors", 1);
-  Solution solution =
-      corrected_solve(model, lacking(problem, number, rung.springs * tangent.mean),
-                      problem.options, condensed, std::exchange(ledger, {}), closer);
-  ledger = std::move(solution.ledger);
-  return solution;
+  Corrected tried = corrected_solve(model, lacking(problem, number, rung.springs * tangent.mean),
+                                    problem.options, condensed, std::exchange(ledger, {}));
+  ledger = std::move(tried.solution.ledger);
+  return tried;
 }
 
 /// The side of a cell with a law that is shortened most, in words.
@@ -144,8 +143,7 @@ Solution solve_with_one_factor(Model& model, VectorXd free, const TurnedForces& 
     condensed.problem.compliance = condensed.factor.compliance(model.programme.A, ledger);
   }
   move_freely(model, std::move(free), condensed);
-  bool closer = true;
-  return corrected_solve(model, turned, options, condensed, std::move(ledger), closer);
+  return corrected_solve(model, turned, options, condensed, std::move(ledger)).solution;
 }
 
 Solution solve_with_tangent(const TangentProblem& problem, Condensed& condensed, Ledger ledger) {
@@ -153,12 +151,11 @@ Solution solve_with_tangent(const TangentProblem& problem, Condensed& condensed,
   const Tangent& tangent = aside.tangent;
   std::optional<Solution> solution;
   for (std::size_t k = problem.rung < weak_springs ? problem.rung : 0; k < ladder.size(); ++k) {
-    bool closer = true;
-    std::optional<Solution> next = try_rung(k, tangent, problem, condensed, ledger, closer);
+    std::optional<Corrected> next = try_rung(k, tangent, problem, condensed, ledger);
     if (!next) continue;
-    solution = std::move(next);
+    solution = std::move(next->solution);
     problem.rung = k;
-    if (closer) break;
+    if (next->closer) break;
     k = std::max(k, weak_springs - 1);  // pairs do not make it definite
   }
   if (!solution) {
