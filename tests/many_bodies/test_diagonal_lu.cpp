@@ -1,4 +1,5 @@
 // The LU factor that keeps to the diagonal, beside the one that takes any order of the rows.
+#include <Eigen/LU>
 #include <vector>
 
 #include "addons/many_bodies/diagonal_lu.hpp"
