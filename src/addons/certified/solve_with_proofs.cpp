@@ -58,8 +58,8 @@ ContactState solve_with_proofs(const ContactProblem& problem, const Solver& solv
     if (auto sparse = many_bodies_state(problem, options)) return std::move(*sparse);
   if (floats && (!frictional || solver.friction != Takes::No))
     if (auto away = infeasible_resultant(problem, in_own_units())) return *away;
-  const bool few = !floats && scaled != nullptr ? scaled->sparse.size() > 0 : few_entries(problem);
-  if (few && many_bodies(many_motions, solver, options))
+  const bool mostly_zero = !floats && scaled != nullptr ? scaled->sparse.size() > 0 : few_entries(problem);
+  if (mostly_zero && many_bodies(many_motions, solver, options))
     if (auto sparse = many_bodies_state(problem, options)) {
       prove_uniqueness(in_own_units(), *sparse);
       return std::move(*sparse);

@@ -22,12 +22,6 @@ using Eigen::VectorXd;
 /// Of the forces of a body, from where on they are no solution.
 constexpr double too_much = 1e-2;
 
-/// What rounding of K may do to the sum of all internal forces: of each row some terms like its diagonal one.
-double rounding_of(const Model& model, const Solution& solution) {
-  const VectorXd diagonal = model.programme.stiffness.diagonal();
-  return 8 * epsilon * diagonal.cwiseAbs().dot(strained(solution.refined).cwiseAbs());
-}
-
 /// Forces on a body added up: their sum, and their moment about its middle over the distance of its farthest node; of a body of
 /// revolution the sum along its axis only.
 class Resultant {
@@ -51,16 +45,26 @@ class Resultant {
   double moment_ = 0;
 };
 
+/// The root of the sum of all squares of K, by every 16th: as good as all for what is compared with a millionth.
+double size_of(const Eigen::SparseMatrix<double>& K) {
+  constexpr Index stride = 16;
+  if (K.nonZeros() < stride * stride) return K.coeffs().matrix().norm();
+  using Some = Eigen::Map<const VectorXd, 0, Eigen::InnerStride<stride>>;
+  return std::sqrt(static_cast<double>(stride)) * Some(K.valuePtr(), K.nonZeros() / stride).norm();
+}
+
 double sum_of_norms(const NodeArray& forces) { return forces.rowwise().norm().sum(); }
 
-/// What acts on a body: magnitudes of loads and of the forces of contact, springs and bonds.
+/// Magnitudes of the loads on a body.
+double given(const BodyModel& body) {
+  return sum_of_norms(nodal_loads(body.mesh, body.element, body.material, body.loads));
+}
+
+/// Magnitudes of what contact, springs and bonds do to a body.
 double pushed(const Model& model, const Solution& solution, std::size_t b) {
-  const BodyModel& body = model.bodies[b];
-  double sum = sum_of_norms(nodal_loads(body.mesh, body.element, body.material, body.loads)) +
-               sum_of_norms(contact_forces(model, solution, b)) +
-               sum_of_norms(spring_forces(model, solution, b));
-  if (!solution.bond_forces.empty()) sum += sum_of_norms(solution.bond_forces[b]);
-  return sum;
+  const double sum = sum_of_norms(contact_forces(model, solution, b)) +
+                     sum_of_norms(spring_forces(model, solution, b));
+  return solution.bond_forces.empty() ? sum : sum + sum_of_norms(solution.bond_forces[b]);
 }
 
 /// What supports bear: one force for each boundary that is held as a whole, and one for each other node. Single nodes of a clamped edge
@@ -87,7 +91,8 @@ double borne(const BodyModel& body, const NodeArray& inside, const Resultant& no
   return sum;
 }
 
-/// The share of its forces that a body as a whole lacks.
+/// The share of its forces that a body as a whole lacks. Loads are data. Forces that were found count if they are more than rounding, or
+/// than nothing beside all loads: where nothing pushes, all that is found is rounding, and nothing is lost.
 double lost_share(const Model& model, const Solution& solution, std::size_t b, double rounding) {
   const BodyModel& body = model.bodies[b];
   const NodeArray all = expand(model.unknowns, strained(solution.refined));
@@ -98,30 +103,41 @@ double lost_share(const Model& model, const Solution& solution, std::size_t b, d
                        (body.mesh.nodes.rowwise() - middle).rowwise().norm().maxCoeff());
   Resultant lost = none;
   for (Index i = 0; i < inside.rows(); ++i) lost.add(i, inside.row(i).transpose());
-  const double size =
-      pushed(model, solution, b) + std::max(0.0, borne(body, inside, none) - rounding);
+  double loads = 0;
+  for (const BodyModel& each : model.bodies) loads += given(each);
+  const double found = pushed(model, solution, b) + borne(body, inside, none);
+  const bool real = too_much * found > rounding || (loads > 0 && found > known_well * loads);
+  const double size = given(body) + (real ? found : 0);
   return size > 0 ? lost.size() / size : 0;
 }
 
 }  // namespace
 
 void judge_lost_digits(const Model& model, const Condensed& /*condensed*/, Solution& solution) {
-  const double rounding = rounding_of(model, solution);
-  // Of most scenes this says that nothing can be lost, at the price of one sum.
-  if (model.unknowns.held.isZero(0) && rounding <= known_well * model.programme.load.lpNorm<1>())
-    return;
-  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    if (model.bodies[b].material.base.law != nullptr) continue;
+  // What rounding of K does to a sum of internal forces, as errors without an order add up, and some times more.
+  const QuadraticProgramme& programme = model.programme;
+  const double rounding =
+      8 * epsilon * size_of(programme.stiffness) * largest(strained(solution.refined));
+  const bool moved = !model.unknowns.held.isZero(0);  // by supports, which is in p as well
+  for (const BodyModel& body : model.bodies) {
+    const auto enough = [&](const VectorXd& all) {
+      return rounding <=
+             known_well * all.segment(body.first_unknown, body.unknowns.count).lpNorm<1>();
+    };
+    // Of most bodies this says that nothing can be lost, at a price that is not felt.
+    if (body.material.base.law != nullptr || (!moved && enough(programme.load)) ||
+        enough(programme.A.transpose() * solution.refined.force))
+      continue;
+    const std::size_t b = static_cast<std::size_t>(&body - model.bodies.data());
     const double share = lost_share(model, solution, b, rounding);
     if (!(share > known_well)) continue;
     const std::string words =
-        text("body '", model.bodies[b].mesh.name,
-             "': loads, contact and supports do not balance, by ", number(100 * share, "%.2g"),
+        text("body '", body.mesh.name, "': loads, contact and supports do not balance, by ",
+             number(100 * share, "%.2g"),
              " % of them, because the stiffness of the body is rounded. It is too slender, too "
-             "nearly incompressible or too "
-             "soft beside another one for these cells: take fewer and larger ones along it, a "
-             "Poisson ratio farther from 0.5, or "
-             "a rigid obstacle in the place of the stiff one");
+             "nearly incompressible or too soft beside another one for these cells: take fewer and "
+             "larger ones along it, a Poisson ratio farther from 0.5, or a rigid obstacle in the "
+             "place of the stiff one");
     if (share <= too_much) {
       solution.notes.push_back(words);
       continue;
