@@ -75,14 +75,14 @@ std::string turn_warning(const std::string& what, const Surface& source) {
 /// Of nodes on the axis of a body of revolution that have no pair, because no pressure could be told from their force.
 std::string axis_warning(const std::string& what, const ContactSpec& contact,
                          const BodyModel& body) {
-  if (contact.gap_operator != "node_to_segment" || std::holds_alternative<Obstacle>(contact.target)) return "";
+  if (contact.gap_operator != "node_to_segment" || std::holds_alternative<Obstacle>(contact.target))
+    return "";
   const std::vector<Index> idle =
       nodes_without_share(body.mesh, contact.source.boundary, depth_of(body.material));
   if (idle.empty()) return "";
   return text(what, ": the node at ", in_brackets(body.mesh.nodes.row(idle.front())),
               " on the axis has no share of the side and so no pair: only its neighbours keep it "
-              "out of the target. Take mortar "
-              "between two meshes, and small cells at the axis");
+              "out of the target. Take mortar between two meshes, and small cells at the axis");
 }
 
 }  // namespace

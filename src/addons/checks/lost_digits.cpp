@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "addons/certified/known_forces.hpp"
 #include "signorini/core/errors.hpp"
@@ -91,22 +92,32 @@ double borne(const BodyModel& body, const NodeArray& inside, const Resultant& no
   return sum;
 }
 
+/// What is found once for all bodies of a model.
+struct Whole {
+  double rounding;    ///< of a sum of internal forces [force]
+  NodeArray strains;  ///< displacements of all nodes without rigid motions [length]
+  double loads = 0;   ///< magnitudes of the loads on all bodies [force]
+
+  Whole(const Model& model, const Solution& solution, double rounding_of_sums)
+      : rounding(rounding_of_sums), strains(expand(model.unknowns, strained(solution.refined))) {
+    for (const BodyModel& body : model.bodies) loads += given(body);
+  }
+};
+
 /// The share of its forces that a body as a whole lacks. Loads are data. Forces that were found count if they are more than rounding, or
 /// than nothing beside all loads: where nothing pushes, all that is found is rounding, and nothing is lost.
-double lost_share(const Model& model, const Solution& solution, std::size_t b, double rounding) {
+double lost_share(const Model& model, const Solution& solution, const Whole& whole, std::size_t b) {
   const BodyModel& body = model.bodies[b];
-  const NodeArray all = expand(model.unknowns, strained(solution.refined));
-  const NodeArray own = all.middleRows(body.first_node, body.mesh.n_nodes());
+  const NodeArray own = whole.strains.middleRows(body.first_node, body.mesh.n_nodes());
   const NodeArray inside = internal_forces(body.mesh, body.element, body.material, own);
   const Eigen::RowVector2d middle = body.mesh.nodes.colwise().mean();
   const Resultant none(body, middle.transpose(),
                        (body.mesh.nodes.rowwise() - middle).rowwise().norm().maxCoeff());
   Resultant lost = none;
   for (Index i = 0; i < inside.rows(); ++i) lost.add(i, inside.row(i).transpose());
-  double loads = 0;
-  for (const BodyModel& each : model.bodies) loads += given(each);
   const double found = pushed(model, solution, b) + borne(body, inside, none);
-  const bool real = too_much * found > rounding || (loads > 0 && found > known_well * loads);
+  const bool real =
+      too_much * found > whole.rounding || (whole.loads > 0 && found > known_well * whole.loads);
   const double size = given(body) + (real ? found : 0);
   return size > 0 ? lost.size() / size : 0;
 }
@@ -119,17 +130,20 @@ void judge_lost_digits(const Model& model, const Condensed& /*condensed*/, Solut
   const double rounding =
       8 * epsilon * size_of(programme.stiffness) * largest(strained(solution.refined));
   const bool moved = !model.unknowns.held.isZero(0);  // by supports, which is in p as well
-  for (const BodyModel& body : model.bodies) {
+  std::optional<VectorXd> contact;
+  std::optional<Whole> whole;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const BodyModel& body = model.bodies[b];
     const auto enough = [&](const VectorXd& all) {
       return rounding <=
              known_well * all.segment(body.first_unknown, body.unknowns.count).lpNorm<1>();
     };
     // Of most bodies this says that nothing can be lost, at a price that is not felt.
-    if (body.material.base.law != nullptr || (!moved && enough(programme.load)) ||
-        enough(programme.A.transpose() * solution.refined.force))
-      continue;
-    const std::size_t b = static_cast<std::size_t>(&body - model.bodies.data());
-    const double share = lost_share(model, solution, b, rounding);
+    if (body.material.base.law != nullptr || (!moved && enough(programme.load))) continue;
+    if (!contact) contact = programme.A.transpose() * solution.refined.force;
+    if (enough(*contact)) continue;
+    if (!whole) whole.emplace(model, solution, rounding);
+    const double share = lost_share(model, solution, *whole, b);
     if (!(share > known_well)) continue;
     const std::string words =
         text("body '", body.mesh.name, "': loads, contact and supports do not balance, by ",
