@@ -15,8 +15,11 @@ write() { # $1: the repository, $2: the folder
     sed 's/ mortar()/ mortar(), node_again()/' "$library/pairing/gap_operators.cpp" > "$out/gap_operators.cpp"
     sed '/#include/!s/enumerate(/enumerate_again(/' "$library/solvers/enumerate.cpp" > "$out/enumerate_again.cpp"
     sed 's/^namespace {$/ContactState enumerate_again(const ContactProblem\&, const SolverOptions\&);\n&/
-         s/^      split("friction_split",/      member("enumerate_again", "tries every set once more", enumerate_again)\
-          .up_to(largest_enumeration).may_fail_on({Trait::Infeasible}),\n&/' \
+         s/^      split("friction_split",/      [] {\
+        Solver every = member("enumerate_again", "tries every set once more", enumerate_again).may_fail_on({Trait::Infeasible});\
+        every.largest = largest_enumeration;\
+        return every;\
+      }(),\n&/' \
         "$papers/solver_table.cpp" > "$out/solver_table.cpp"
     cat > "$out/several_contacts.cpp" << 'MEMBER'
 #include "signorini/scene/effects.hpp"
