@@ -67,11 +67,11 @@ inline NodeArray places(const Model& model, const NodeArray& u) {
 /// Pairs where the bodies are; slips count from where they were before.
 inline Pairs pairs_at(const Assembled& bodies, const NodeArray& u, const NodeArray& before) {
   const Mesh base = moved_by(bodies.model.bodies[0], u), tool = moved_by(bodies.model.bodies[1], u);
-  const NodeArray stood = places(bodies.model, before);
+  const NodeArray moved = u - before;
   GapOptions options;
   options.n_nodes = u.rows();
   options.sliding = bodies.of.friction > 0;
-  options.before = &stood;
+  options.since = &moved;
   return find_gap_operator(bodies.of.gap_operator)
       .pair({tool, bodies.of.source_of_tool, bodies.model.bodies[1].first_node}, {base, "top", 0},
             options);

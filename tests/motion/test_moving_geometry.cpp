@@ -253,6 +253,31 @@ TEST_CASE("friction remembers along the surface what slid where nodes lose their
 
 // Pressed by a load to a strain of 9 %, on three nodes. With one factor and without the turn of contact forces an iteration leaves more
 // than a third of the error, and a step ends after 27. With it in the load no step has more than 20, and no correction leads away.
+TEST_CASE("slips have digits of their own: small loads give the forces of bodies at rest",
+          "[motion]") {
+  Scene scene = moving_blocks();
+  scene.bodies[1].supports.clear();
+  const auto forces = [&scene] {
+    VectorXd force;
+    const PathEnd end = solve_steps(scene, [&](const Model&, const Step& step) {
+      force = step.solution.contact.force;
+    });
+    INFO(end.reason);
+    REQUIRE(end.status == SolveStatus::Solved);
+    CHECK(end.halvings == 0);
+    return force;
+  };
+  for (const double part : {1e-3, 1e-6, 1e-9, 1e-12, 1e-20}) {
+    CAPTURE(part);
+    scene.bodies[1].loads.edges = {{"top", 1000 * part, {}, "press"}};
+    scene.moves = false;
+    const VectorXd still = forces();
+    CHECK(still.sum() == Approx(1000 * part).epsilon(1e-12));
+    scene.moves = true;
+    CHECK((forces() - still).norm() <= (10 * part + 1e-12) * still.norm());
+  }
+}
+
 TEST_CASE("with one factor, contact forces that turn are a load", "[motion]") {
   MovingBlocks of;
   of.friction = 0;

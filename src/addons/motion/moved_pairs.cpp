@@ -80,17 +80,32 @@ Places places(const NodeArray& X, const Displaced& u, const Eigen::RowVector2d& 
   return sum(there.rounded, there.rest + (still.rest + u.low));
 }
 
+/// Whether only bodies face each other. An obstacle stays where it is.
+bool only_bodies(const Scene& scene) {
+  return std::all_of(
+      scene.contacts.begin(), scene.contacts.end(),
+      [](const ContactSpec& contact) { return std::holds_alternative<Side>(contact.target); });
+}
+
 /// The middle of where all bodies stand. Gaps and normals are found as if that were the origin, or the last digits of far
-/// places would be those of normals. An obstacle stays where it is, and so do they then; and so does the axis of bodies of
-/// revolution, whose radii are their depth. At rest they have the pairs of the scene, bit by bit.
+/// places would be those of normals. With an obstacle they stay where they are, and so does the axis of bodies of revolution,
+/// whose radii are their depth. At rest they have the pairs of the scene, bit by bit.
 Eigen::RowVector2d carrier(const Scene& scene, const Model& model, const NodeArray& still,
                            const Displaced& displacement) {
-  if (displacement.high.isZero(0) && displacement.low.isZero(0)) return {0, 0};
-  for (const ContactSpec& contact : scene.contacts)
-    if (!std::holds_alternative<Side>(contact.target)) return {0, 0};
+  const bool at_rest = displacement.high.isZero(0) && displacement.low.isZero(0);
+  if (at_rest || !only_bodies(scene)) return {0, 0};
   Eigen::RowVector2d mean = (still + displacement.high).colwise().mean();
   if (!model.bodies.empty() && is_axial(model.bodies.front())) mean.x() = 0;
   return mean;
+}
+
+/// By how much nodes have moved, less what bodies have in common, which is no slip of theirs.
+NodeArray moved_since(const Scene& scene, const Displaced& before, const Displaced& now,
+                      const NodeArray& rest) {
+  Eigen::RowVector2d common = (now.high - before.high).colwise().mean();
+  if (!only_bodies(scene)) common.setZero();
+  const Places moved = places(-before.high, {now.high, now.low - before.low}, common);
+  return moved.rounded + (moved.rest - rest);
 }
 
 /// What supports still have to move, from the rounded places.
@@ -122,11 +137,9 @@ void place_bodies(const Scene& scene, const Displaced& displacement, const Displ
   const NodeArray still = nodes_of(model.bodies);
   const Eigen::RowVector2d carried = carrier(scene, model, still, displacement);
   const Places now = places(still, displacement, carried);
-  const Places earlier = places(still, before, carrier(scene, model, still, before));
-  const NodeArray moved = (displacement.high - before.high) + (displacement.low - before.low);
   Plan draft;
-  const auto standing =
-      std::make_shared<Standing>(Standing{displacement.high, earlier.rounded, moved - now.rest});
+  const auto standing = std::make_shared<Standing>(
+      Standing{displacement.high, moved_since(scene, before, displacement, now.rest)});
   if (!displacement.high.isZero(0)) standing->reach = smallest_size(model);
   draft.standing = standing;
   // A rigid obstacle stands still: what a node has moved since the last step is its slip.

@@ -30,9 +30,9 @@ struct GapOptions {
   bool sliding = false;      ///< whether the matrix S is wanted
   int points = 0;            ///< Gauss points per edge or segment; 0: the operator's own choice
   Quadrature quadrature = Quadrature::Segments;  ///< only if it `takes_quadrature`
-  /// `n_nodes x 2` where the nodes of all bodies stood before they came to where the meshes have them [length]; with S, a
+  /// `n_nodes x 2` by how much the nodes of all bodies have moved to come to where the meshes have them [length]; with S, a
   /// member then says how far its points have `slid` since, along the sides that they face. Null: nothing has moved.
-  const NodeArray* before = nullptr;
+  const NodeArray* since = nullptr;
   /// Nodes all of whose points are farther from the target get no pair, unless all are [length]; for bodies that move, of
   /// which new pairs are found again and again
   double reach = std::numeric_limits<double>::infinity();

@@ -50,7 +50,7 @@ struct Pairs {
   /// Nodes of the source that face no target and have no pair, in walking order.
   std::vector<Eigen::Index> unpaired;
   Eigen::VectorXd slid =
-      {};  ///< `n_c` slip where no unknown moves [length]; empty: 0, see GapOptions::before
+      {};  ///< `n_c` slip where no unknown moves [length]; empty: 0, see GapOptions::since
 };
 
 /// \param arm     from a point to a place [length]

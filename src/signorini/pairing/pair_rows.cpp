@@ -56,41 +56,47 @@ void write_matrix(Entries entries, const Eigen::VectorXd& total, Index columns,
   for (Index row = 0; row < total.size(); ++row) matrix.row(row) /= total(row);
 }
 
-/// How far the two places of a point lie apart along the target: \f$ t\cdot(x - \bar x) \f$, summed from
-/// a node of the target, so that nothing is lost far from the origin. The tangent runs against the
-/// walking direction. Where the nodes of each body are is the caller's choice: now or before.
-template <typename Nodes>
-double apart(const PairPoint& point, const SideCurve& target, const Nodes& of_source,
-             const Nodes& of_target) {
-  const Vector2d anchor = of_target(target.nodes().front());
+/// The way from the place on the target to the point that faces it, and along the target, against the walking
+/// direction, \f$ w = x - \bar x \f$ and \f$ a \f$. Both are sums over nodes, counted from a node of the target, so that nothing is
+/// lost far from the origin. Of places of nodes they are w and a, of what nodes have moved they are what w and a have changed.
+struct Facing {
   Vector2d way = {0, 0};
   Vector2d along = {0, 0};
-  const SideShape here = point.side->shape(point.xi);
-  const SideShape there = target.shape(point.place.xi);
-  for (std::size_t k = 0; k < point.side->nodes().size(); ++k)
-    way += here.value(static_cast<Index>(k)) * (of_source(point.side->nodes()[k]) - anchor);
-  for (std::size_t k = 0; k < target.nodes().size(); ++k) {
-    const Vector2d node = of_target(target.nodes()[k]) - anchor;
-    way -= there.value(static_cast<Index>(k)) * node;
-    along -= there.slope(static_cast<Index>(k)) * node;
+
+  Facing(const PairPoint& point, const SideCurve& target,
+         const Eigen::Ref<const NodeArray>& of_source,
+         const Eigen::Ref<const NodeArray>& of_target) {
+    const auto anchor = of_target.row(target.nodes().front());
+    const SideShape here = point.side->shape(point.xi);
+    const SideShape there = target.shape(point.place.xi);
+    for (std::size_t k = 0; k < point.side->nodes().size(); ++k)
+      way += here.value(static_cast<Index>(k)) * (of_source.row(point.side->nodes()[k]) - anchor);
+    for (std::size_t k = 0; k < target.nodes().size(); ++k) {
+      const Vector2d node = of_target.row(target.nodes()[k]) - anchor;
+      way -= there.value(static_cast<Index>(k)) * node;
+      along -= there.slope(static_cast<Index>(k)) * node;
+    }
   }
-  return way.dot(along.normalized());
-}
+};
 
 /// How far a point has slid since the nodes stood elsewhere: by how much two places that face each
 /// other now lay apart along the target then. Take a node that stood above the place 0 of a straight
 /// target and is above the place 0.37 now. That place lay 0.37 to the right of it, and so much it has
 /// slid. If both bodies have turned meanwhile, the tangents are those of now and then, and the number
-/// is the same. At rest both terms are the same, and nothing has slid.
-double slid(const Interface& interface, const PairPoint& point, const NodeArray& before) {
+/// is the same:
+/// \f[ t\cdot w - t_0\cdot w_0 = t\cdot(w - w_0) + (t - t_0)\cdot w_0. \f]
+/// The right side is what is summed. There \f$ w - w_0 \f$ comes from what the nodes have moved. A slip of 1e-12 beside a
+/// body of length 1 keeps its digits, which the difference of two places would not.
+double slid(const Interface& interface, const PairPoint& point, const NodeArray& since) {
   const SideCurve& target = interface.search.side(point.place.side);
-  const auto in = [](const NodeArray& nodes, Index first) {
-    return [&nodes, first](Index node) -> Vector2d { return nodes.row(first + node).transpose(); };
-  };
   const Surface& one = interface.source;
   const Surface& other = interface.target;
-  return apart(point, target, in(one.mesh.nodes, 0), in(other.mesh.nodes, 0)) -
-         apart(point, target, in(before, one.first_node), in(before, other.first_node));
+  const Facing now(point, target, one.mesh.nodes, other.mesh.nodes);
+  const Facing moved(point, target, since.middleRows(one.first_node, one.mesh.n_nodes()),
+                     since.middleRows(other.first_node, other.mesh.n_nodes()));
+  const Vector2d tangent = now.along.normalized();
+  const Vector2d turned = tangent - (now.along - moved.along).normalized();
+  return tangent.dot(moved.way) + turned.dot(now.way - moved.way);
 }
 
 }  // namespace
@@ -103,10 +109,9 @@ void write_rows(const Interface& interface, const std::vector<PairPoint>& points
   pairs.initial_gap.setZero(total.size());
   for (NodeArray* means : {&pairs.normal, &pairs.moment, &pairs.target_moment})
     means->setZero(total.size(), 2);
-  const bool moved = options.sliding && options.before != nullptr;
+  const bool moved = options.sliding && options.since != nullptr;
   if (moved) pairs.slid.setZero(total.size());
-  Entries opening;
-  Entries sliding;
+  Entries opening, sliding;
   for (const PairPoint& point : points) {
     const Vector2d n = point.place.normal;
     const double share = point.amount / total(point.pair);
@@ -117,7 +122,7 @@ void write_rows(const Interface& interface, const std::vector<PairPoint>& points
     pairs.target_moment.row(point.pair) -= share * moments_at(point.place.point - x, n);
     act_and_react(interface, point, n, opening);
     if (options.sliding) act_and_react(interface, point, {n.y(), -n.x()}, sliding);
-    if (moved) pairs.slid(point.pair) += share * slid(interface, point, *options.before);
+    if (moved) pairs.slid(point.pair) += share * slid(interface, point, *options.since);
   }
   write_matrix(std::move(opening), total, 2 * options.n_nodes, pairs.opening);
   write_matrix(std::move(sliding), total, 2 * options.n_nodes, pairs.sliding);

@@ -37,7 +37,7 @@ struct PairPoint {
 /// Where the nodes stood elsewhere before, the slip since then is that of the places that face each other now,
 /// \f$ t\cdot(x - \bar x) - t^0\cdot(x^0 - \bar x^0) \f$ with the tangents of the target now and then. A turn of
 /// both bodies, then or now, changes none of the two numbers: so it is no slip.
-/// \param pairs      with `position`; receives `slid` if the options say what was before, `initial_gap`, `normal`, `moment`, `target_moment`, `opening` and `sliding`
+/// \param pairs      with `position`; receives `slid` if the options say what has moved, `initial_gap`, `normal`, `moment`, `target_moment`, `opening` and `sliding`
 void write_rows(const Interface& interface, const std::vector<PairPoint>& points,
                 const Eigen::VectorXd& total, const GapOptions& options, Pairs& pairs);
 

@@ -67,8 +67,8 @@ using FitSides = std::function<std::string(const ContactSpec& contact, Pairs& pa
 /// from the scene nonetheless: \f$ g - Au \f$ with all of u is the gap there to first order.
 struct Standing {
   NodeArray displacement;  ///< `n_nodes x 2` of all nodes, from the scene to there [length]
-  NodeArray before;  ///< `n_nodes x 2` where the nodes stood at the end of the last step [length]
-  NodeArray since;   ///< `n_nodes x 2` by how much they have moved since then [length]
+  /// `n_nodes x 2` by how much they have moved since the end of the last step, less what all have in common if there is no obstacle [length]
+  NodeArray since;
   double reach = std::numeric_limits<double>::infinity();  ///< of pairs that are found there, see GapOptions [length]
 };
 struct StepLoop;

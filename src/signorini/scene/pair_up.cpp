@@ -16,14 +16,14 @@ namespace signorini {
 // operator of the scene. They must have one thickness. Otherwise the same pressure would be one force
 // on the source and another one on the target, and the two would not balance.
 //
-// Where bodies have moved in a step, the meshes are those of moved bodies, and where the nodes stood before comes along.
+// Where bodies have moved in a step, the meshes are those of moved bodies, and what the nodes have moved comes along.
 Pairs pair_up(const ContactSpec& contact, const std::vector<BodyModel>& bodies, bool sliding,
               const Standing* standing) {
   const Surface source = surface(bodies, contact.source);
   const Depth depth = depth_of(bodies[body_index(bodies, contact.source)].material);
   GapOptions options{count_nodes(bodies), depth, sliding, contact.points, contact.quadrature};
   if (standing != nullptr) {
-    options.before = &standing->before;
+    options.since = &standing->since;
     options.reach = standing->reach;
   }
   if (const Obstacle* obstacle = std::get_if<Obstacle>(&contact.target))
