@@ -19,6 +19,7 @@
 
 #include <algorithm>
 
+#include "papers/long_history.hpp"
 #include "signorini/problem/active_set_system.hpp"
 
 namespace signorini {

@@ -23,6 +23,7 @@
 #include <optional>
 #include <utility>
 
+#include "papers/long_history.hpp"
 #include "papers/weight_iteration.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"

@@ -235,9 +235,4 @@ TEST_CASE("ties that cannot be meant are refused, with what to do", "[ties][erro
   scene.bonds = bonds_of({points});
   CHECK(problem_message([&] { static_cast<void>(plan(scene)); }).find("take mortar") !=
         std::string::npos);
-  scene = on_floor(false, true);
-  scene.moves = true;
-  scene.path = Path{{1}, {}};
-  CHECK(problem_message([&] { static_cast<void>(plan(scene)); }).find("'top' of 'lower' is made of equations between small displacements") !=
-        std::string::npos);
 }

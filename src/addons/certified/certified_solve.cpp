@@ -124,10 +124,9 @@ void CertifiedSolve::equilibrate_load() {
   const ContactProblem& problem = data_.condensed;
   const bool known = scaled_->scale.size() > 0 && problem.resultant.size() == 0 &&
                      (problem.compliance.diagonal().array() > 0).all();  // else scales depend on it
-  if (known)
-    scaled_->free = scaled_->scale.cwiseProduct(free_movement(problem));
-  else
-    *scaled_ = equilibrate(problem);
+  if (!known) return void(*scaled_ = equilibrate(problem));
+  check_finite(problem, false);
+  scaled_->free = scaled_->scale.cwiseProduct(free_movement(problem));
 }
 
 void CertifiedSolve::take_over(const ContactState& claim) {

@@ -45,7 +45,7 @@ void prove_uniqueness(ScaledProblem& scaled, ContactState& state) {
 }  // namespace
 
 ContactState solve_with_proofs(const ContactProblem& problem, const Solver& solver,
-                               const SolverOptions& options, ScaledProblem* scaled) {
+                               SolverOptions options, ScaledProblem* scaled) {
   const bool frictional = !problem.law.pair.empty();
   const bool floats = problem.resultant.size() > 0;
   std::optional<ScaledProblem> own;
@@ -64,6 +64,8 @@ ContactState solve_with_proofs(const ContactProblem& problem, const Solver& solv
       prove_uniqueness(in_own_units(), *sparse);
       return std::move(*sparse);
     }
+  options.known = scaled != nullptr ? &problem : nullptr;
+  options.scaled = scaled;
   ContactState state = solve(problem, strengthened(solver, problem), options);
   const SolveStatus status = state.report.status;
   if (frictional && status == SolveStatus::Solved) in_own_units();

@@ -18,7 +18,7 @@ namespace signorini {
 /// \return as solve(); `Infeasible` with `unbounded_direction` or `farkas_certificate`
 /// \throws ProblemError, std::invalid_argument as solve()
 [[nodiscard]] ContactState solve_with_proofs(const ContactProblem& problem, const Solver& solver,
-                                             const SolverOptions& options = {},
+                                             SolverOptions options = {},
                                              ScaledProblem* scaled = nullptr);
 
 }  // namespace signorini

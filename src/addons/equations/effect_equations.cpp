@@ -20,13 +20,23 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// \param what  the bond, as messages have it
-void check_moves(const Scene& scene, const std::string& what) {
-  bool moves = scene.moves;
-  for (const Body& body : scene.bodies) moves = moves || body.material.law != nullptr;
-  require_input(!moves, what,
-                " is made of equations between small displacements, and bodies of this scene move: "
-                "leave it out, or moves and law");
+bool any_law(const Scene& scene) {
+  return std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                     [](const Body& body) { return body.material.law != nullptr; });
+}
+
+/// What slides along a side stays on it as the meshes have it. \param what  the bond, as messages have it
+void check_slides(const Scene& scene, const std::string& what) {
+  require_input(!bodies_move(scene), what,
+                " slides along sides as the meshes have them, and bodies of this scene move: "
+                "let it hold its sides together, make it a contact, or leave out moves and law");
+}
+
+/// Equations between displacements hold wherever bodies go. Springs with fixed directions and rigid sides take turns to be small.
+void check_turns(const Scene& scene, const std::string& what) {
+  require_input(!any_law(scene), what,
+                " is made for small turns, and a body of this scene has a law of finite strain: "
+                "leave it out, or the law");
 }
 
 NodalRows matrix_of(const std::vector<Equation>& rows, Index components) {
@@ -98,7 +108,7 @@ void add_two_sided(const Scene& scene, Plan& draft, Equations& all) {
   for (const std::size_t contact : bonds.two_sided) {
     require_input(contact < draft.contacts.size(), "bonds: the scene has no contact number ",
                   contact, ", counted from 0");
-    check_moves(scene, text("sliding tie ", draft.contacts[contact]));
+    check_slides(scene, text("sliding tie ", draft.contacts[contact]));
     draft.on.push_back(text("sliding tie ", draft.contacts[contact], ": pairs of a contact that never lift off"));
   }
   for (std::size_t pair = 0; pair < draft.contact_of.size(); ++pair)
@@ -109,13 +119,19 @@ void add_two_sided(const Scene& scene, Plan& draft, Equations& all) {
 
 void declare_equations(const Scene& scene, Plan& draft) {
   const auto all = std::make_shared<Equations>();
-  for (const Tie& tie : scene.bonds->ties) add_tie(tie, draft, *all);
+  for (const Tie& tie : scene.bonds->ties) {
+    add_tie(tie, draft, *all);
+    if (tie.slides) check_slides(scene, all->bonds.back().what);
+    if (tie.stiffness) check_turns(scene, all->bonds.back().what);
+  }
   std::size_t number = 0;
   for (const Relation& relation : scene.bonds->relations)
     add_relation(relation, ++number, draft, *all);
-  for (const RigidSide& rigid : scene.bonds->rigid) add_rigid(rigid, draft, *all);
+  for (const RigidSide& rigid : scene.bonds->rigid) {
+    add_rigid(rigid, draft, *all);
+    check_turns(scene, all->bonds.back().what);
+  }
   all->matrix = matrix_of(all->rows, 2 * count_nodes(draft.bodies));
-  if (!all->bonds.empty()) check_moves(scene, all->bonds.front().what);
   solve_rows(draft, *all);
   add_two_sided(scene, draft, *all);
   leave_out_given_pairs(scene, *all, draft);
@@ -126,6 +142,8 @@ void declare_equations(const Scene& scene, Plan& draft) {
 }
 
 }  // namespace
+
+bool bodies_move(const Scene& scene) { return scene.moves || any_law(scene); }
 
 void register_equations() {
   add_effect({"equations",

@@ -13,6 +13,7 @@
 
 namespace signorini {
 
+struct Displaced;
 struct Relation;
 struct RigidSide;
 struct Scene;
@@ -37,6 +38,7 @@ struct Bond {
   std::string name;        ///< as tables have it, such as "upper.bottom to lower.top"
   std::string what;        ///< as messages have it
   Pairs pairs = {};        ///< of a tie
+  Eigen::Index first_node = 0;  ///< of the body of its source, among all nodes
   std::vector<Eigen::Index> nodes = {};  ///< without pairs: those whose forces are told, among all nodes
   std::size_t first = 0;   ///< of its equations
   std::size_t end = 0;     ///< the one after its last
@@ -51,6 +53,7 @@ struct Equations {
   NodalRows matrix = {};            ///< C `m x 2 n_nodes` of the terms
   std::vector<Eigen::Index> held = {};  ///< numbers of the rows that hold, those that are no springs
   Eliminated solved = {};           ///< for unknowns
+  Eigen::SparseMatrix<double> bodies = {};  ///< K of the bodies alone, if they move
   std::vector<Eigen::Index> two_sided = {};  ///< pairs that never lift off, increasing
 };
 
@@ -92,6 +95,9 @@ void add_rigid(const RigidSide& rigid, Plan& draft, Equations& all);
 /// \param rows  A `m x n` \param by_free  T `n x n`, see by_free_unknowns() \return A T
 [[nodiscard]] NodalRows on_free_unknowns(const NodalRows& rows, const Eigen::SparseMatrix<double>& by_free);
 
+/// \return whether pairs of a scene are found where its bodies move to
+[[nodiscard]] bool bodies_move(const Scene& scene);
+
 /// Leaves out pairs that equations let neither open nor close: the forces of the equations are all that can be told there.
 /// And slips that they say are none.
 /// \param scene  for messages \param all  with `solved`; its `two_sided` are counted anew
@@ -109,6 +115,20 @@ void check_springs(Model& model);
 /// a spring on \f$ u_e - R u - s \f$ makes the eliminated unknowns what the equations say: at the minimum it is at rest.
 /// \param model  whose effects have all added what they have
 void take_equations(Model& model);
+
+/// The same for rows that were found where bodies have moved to, whose gaps and slips count from there: the way that is left
+/// takes the equations to where they hold.
+/// \param at  where bodies stand \param[in,out] model  gets new A and g
+void take_equations_of_rows(const Displaced& at, Model& model);
+
+/// The same for forces where bodies have moved to.
+/// \param at       where bodies stand
+/// \param tangent  whether K is that of the place, without equations; else it stays what it is
+/// \param[in,out] model  with p less internal forces; gets new p, the terms that are summed there, and a new tangent
+void take_equations_of_forces(const Displaced& at, bool tangent, Model& model);
+
+/// \param model  as built \return K of its bodies without equations
+[[nodiscard]] const Eigen::SparseMatrix<double>& stiffness_of_bodies(const Model& model);
 
 /// Motions that equations leave of those that supports leave.
 /// \param modes   `n_r` rigid motions \param free  C on the unknowns `m x n` \param solved  the same

@@ -103,6 +103,14 @@ void check_given(const Scene& scene, const Plan& draft, const Equations& all, In
                 " apart, and never lifts off: leave out one of those that hold it");
 }
 
+/// Where bodies move, pairs are found again and again, and it would have to be asked of each.
+void check_moves(const Scene& scene, const Plan& draft, Index pair) {
+  require_input(!bodies_move(scene), in_words(scene, draft, draft.contact_of[at(pair)]), ": the pair at ",
+                in_brackets(draft.gaps.pairs.position.row(pair)),
+                " is held by ties, relations or rigid sides, and bodies of this scene move: let the boundaries of "
+                "a contact have no node in common with theirs");
+}
+
 void note_given(const Scene& scene, const std::vector<Index>& given, Plan& draft) {
   for (std::size_t k = 0; k < scene.contacts.size(); ++k) {
     const auto own = std::count_if(given.begin(), given.end(), [&](Index pair) {
@@ -142,6 +150,7 @@ void leave_out_given_pairs(const Scene& scene, Equations& all, Plan& draft) {
   for (Index pair = 0; pair < count; ++pair) {
     (has_entries(opening.reduced, pair) ? kept : given).push_back(pair);
     if (has_entries(opening.reduced, pair)) continue;
+    check_moves(scene, draft, pair);
     check_given(scene, draft, all, pair, opening.value(pair),
                 gap_rounding(gaps.pairs) + opening.rounding(pair));
   }
@@ -151,6 +160,8 @@ void leave_out_given_pairs(const Scene& scene, Equations& all, Plan& draft) {
     for (Index pair = 0; pair < count; ++pair)
       slides[at(pair)] = has_entries(sliding.reduced, pair) ||
                          std::abs(sliding.value(pair)) > gap_rounding(gaps.pairs) + sliding.rounding(pair);
+    for (const Index pair : draft.law.pair)
+      if (!slides[at(pair)]) check_moves(scene, draft, pair);
     cut_law(kept, slides, draft.law);
   }
   if (given.empty()) return;

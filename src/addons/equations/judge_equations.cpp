@@ -66,15 +66,22 @@ void add_force(const Vector2d& x, const Vector2d& f, bool axial, BondForces& sum
   if (!axial) sum.moment += x.x() * f.y() - x.y() * f.x();
 }
 
-/// Adds the force of a pair, as Resultants has it.
-void add_pair(const Pairs& pairs, Index pair, const Vector2d& forces, bool axial, BondForces& sum) {
+/// How far a node has moved from where its body was when its forces were found.
+Vector2d gone(const Model& model, Index node) {
+  return model.standing ? Vector2d(model.standing->displacement.row(node).transpose())
+                        : Vector2d(0, 0);
+}
+
+/// Adds the force of a pair that has `gone` from its position, as Resultants has it.
+void add_pair(const Pairs& pairs, Index pair, const Vector2d& gone, const Vector2d& forces, bool axial,
+              BondForces& sum) {
   const Vector2d n = pairs.normal.row(pair).transpose();
   const Vector2d f = forces.x() * n + forces.y() * Vector2d(n.y(), -n.x());
   const double pressure = forces.x() / pairs.weight(pair);
   sum.least_pressure = pair == 0 ? pressure : std::min(sum.least_pressure, pressure);
   sum.largest_pressure = pair == 0 ? pressure : std::max(sum.largest_pressure, pressure);
   sum.largest_shear = std::max(sum.largest_shear, std::abs(forces.y()) / pairs.weight(pair));
-  add_force(pairs.position.row(pair).transpose(), f, axial, sum);
+  add_force(pairs.position.row(pair).transpose() + gone, f, axial, sum);
   if (!axial) sum.moment += pairs.moment.row(pair).dot(forces.transpose());
 }
 
@@ -89,15 +96,16 @@ void add_pairs(const Model& model, const Bond& bond, const VectorXd& row_force, 
   }
   const bool axial = is_axial(model.bodies.front());
   for (Index pair = 0; pair < pairs; ++pair)
-    add_pair(bond.pairs, pair, forces.row(pair).transpose(), axial, sum);
+    add_pair(bond.pairs, pair, gone(model, bond.first_node + bond.pairs.node[at(pair)]),
+             forces.row(pair).transpose(), axial, sum);
 }
 
 /// The sums of the forces on the nodes of a bond without sides that face each other.
 void add_nodes(const Model& model, const Bond& bond, const VectorXd& nodal, BondForces& sum) {
   for (const Index node : bond.nodes) {
     const BodyModel& body = model.bodies[body_of_node(model.bodies, node)];
-    add_force(body.mesh.nodes.row(node - body.first_node).transpose(), nodal.segment<2>(2 * node),
-              is_axial(body), sum);
+    add_force(body.mesh.nodes.row(node - body.first_node).transpose() + gone(model, node),
+              nodal.segment<2>(2 * node), is_axial(body), sum);
   }
 }
 

@@ -6,7 +6,9 @@
 #include "signorini/core/errors.hpp"
 #include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"
+#include "signorini/problem/exact_sum.hpp"
 #include "signorini/scene/bodies.hpp"
+#include "signorini/scene/step_loop.hpp"
 
 namespace signorini {
 namespace {
@@ -109,6 +111,24 @@ class Taking {
   VectorXd springs_;    // on the differences of eliminated unknowns from what the equations say
 };
 
+/// What equations lack where bodies stand if supports go on to their ends: h - C u `m` [length].
+VectorXd lacking_at(const Displaced& there, const Model& model) {
+  const Equations& all = *model.equations;
+  VectorXd lacking(all.matrix.rows());
+  for (Index row = 0; row < lacking.size(); ++row) {
+    ExactSum sum(all.rows[at(row)].right);
+    for (NodalRows::InnerIterator it(all.matrix, row); it; ++it) {
+      const Index node = it.col() / 2, axis = it.col() % 2;
+      const bool held = model.unknowns.number(node, axis) < 0;
+      sum.add_product(-it.value(),
+                      held ? model.unknowns.held(node, axis) : there.high(node, axis));
+      if (!held) sum.add(-it.value() * there.low(node, axis));
+    }
+    lacking(row) = sum.value();
+  }
+  return lacking;
+}
+
 }  // namespace
 
 Sparse by_free_unknowns(const Eliminated& solved, Index unknowns) {
@@ -136,6 +156,11 @@ void check_springs(Model& model) {
 }
 
 void take_equations(Model& model) {
+  if (model.loop) {
+    auto kept = std::make_shared<Equations>(*model.equations);
+    kept->bodies = model.programme.stiffness;
+    model.equations = std::move(kept);
+  }
   Taking taking(model);
   VectorXd constant(static_cast<Index>(model.equations->rows.size()));
   for (Index k = 0; k < constant.size(); ++k) constant(k) = model.equations->rows[at(k)].right;
@@ -151,6 +176,40 @@ void take_equations(Model& model) {
     taking.take(right, part.history.empty(), part.load, part.movement);
   }
   taking.take_matrices();
+}
+
+void take_equations_of_rows(const Displaced& at, Model& model) {
+  const Eliminated& solved = model.equations->solved;
+  QuadraticProgramme& programme = model.programme;
+  VectorXd shift = VectorXd::Zero(model.unknowns.count);
+  shift(solved.unknown) = VectorXd(solved.right * lacking_at(at, model));
+  programme.initial_gap -= programme.A * shift;
+  programme.A = on_free_unknowns(programme.A, by_free_unknowns(solved, model.unknowns.count));
+}
+
+// Rows are without equations' unknowns already, so that g stays what it is.
+void take_equations_of_forces(const Displaced& at, bool tangent, Model& model) {
+  const Eliminated& solved = model.equations->solved;
+  QuadraticProgramme& programme = model.programme;
+  Sparse reduced;
+  if (!tangent) {
+    reduced = model.equations->bodies;
+    reduced.swap(programme.stiffness);
+  }
+  Taking taking(model);
+  taking.take(lacking_at(at, model), true, programme.load, programme.initial_gap);
+  if (tangent)
+    taking.take_matrices();
+  else
+    reduced.swap(programme.stiffness);
+  VectorXd& terms = programme.reached.terms;
+  const VectorXd own = terms(solved.unknown);
+  terms = by_free_unknowns(solved, terms.size()).cwiseAbs().transpose() * terms;
+  terms(solved.unknown) = own;
+}
+
+const Sparse& stiffness_of_bodies(const Model& model) {
+  return model.equations ? model.equations->bodies : model.programme.stiffness;
 }
 
 }  // namespace signorini

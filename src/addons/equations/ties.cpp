@@ -131,11 +131,11 @@ void add_tie(const Tie& tie, Plan& draft, Equations& all) {
   const std::string fitted = fit(tie, bond.pairs);
   note_unpaired(bond.what, bond.pairs, draft);
   const NodalRows slips = turned(bond.pairs.opening);
-  const Index first_node = draft.bodies[body_index(draft.bodies, tie.sides.source)].first_node;
+  bond.first_node = draft.bodies[body_index(draft.bodies, tie.sides.source)].first_node;
   bond.first = all.rows.size();
   if (tie.stiffness) add_springs(*tie.stiffness, bond, slips, all.rows);
   for (Index pair = 0; pair < bond.pairs.initial_gap.size() && !tie.stiffness; ++pair) {
-    const Index node = first_node + bond.pairs.node[at(pair)];
+    const Index node = bond.first_node + bond.pairs.node[at(pair)];
     for (Equation& row : rows_of(bond.pairs, slips, pair, node, draft, tie.slides))
       if (!between_supports(draft, row, row.own)) all.rows.push_back(std::move(row));
   }

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 
+#include "addons/equations/equations.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/fem/eigenstrain.hpp"
 #include "signorini/fem/strain_law.hpp"
@@ -110,7 +111,7 @@ void add_springs(const BodyModel& body, const Displaced& at, const NodeArray& go
 
 }  // namespace
 
-BodyAnswers::BodyAnswers(const Model& model) : rest_(model.programme.stiffness) {
+BodyAnswers::BodyAnswers(const Model& model) : rest_(stiffness_of_bodies(model)) {
   for (const BodyModel& body : model.bodies) {
     const Index entries = 4 * body.element.n_nodes * body.element.n_nodes;
     const bool finite = body.material.base.law != nullptr;

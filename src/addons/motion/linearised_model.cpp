@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "addons/equations/equations.hpp"
 #include "addons/motion/moved_pairs.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
@@ -73,6 +74,7 @@ void LinearisedModel::move(const Displaced& there, Ledger& ledger) {
   if (finite()) programme.stiffness.swap(tangent_);
   programme.load = outer_ - answer.force - answer.ahead;
   programme.reached = {moved_within(model_, at_), std::move(answer.terms)};
+  if (model_.equations) take_equations_of_forces(at_, finite(), model_);
 }
 
 // What supports give is gone to its end exactly.
@@ -154,6 +156,7 @@ Certificate certificate_where_it_stands(const PrimalDual& claim, Model model) {
   programme.initial_gap -= programme.A * restricted(model.unknowns, at.high + at.low);
   programme.load = outer_forces(model) - answer.force;
   programme.reached = {moved_within(model, at), answer.terms};
+  if (model.equations) take_equations_of_forces(at, false, model);
   return certify(programme, {VectorXd::Zero(claim.displacement.size()), {}, claim.force},
                  model.law);
 }

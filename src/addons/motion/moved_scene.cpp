@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "addons/equations/equations.hpp"
 #include "addons/motion/moved_pairs.hpp"
 #include "addons/motion/moving_step.hpp"
 #include "signorini/core/errors.hpp"
@@ -60,6 +61,7 @@ void move_pairs(const Scene& scene, Plan& draft) {
       [contacts = contacts_of(scene)](const Displaced& displacement, const Displaced& before,
                                       Model& model) {
         place_bodies(*contacts, displacement, before, model);
+        if (model.equations) take_equations_of_rows(displacement, model);
       }));
 }
 

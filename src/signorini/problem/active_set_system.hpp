@@ -225,10 +225,6 @@ void fill_state(const FrictionLaw& law, const std::vector<ContactStatus>& status
                                 const std::vector<ContactStatus>& statuses,
                                 const ActiveSetSolution& solution, Eigen::Index changes);
 
-/// \param iteration  from 0
-/// \return whether the history of a long run keeps it: 0 to 31, then 16 per doubling
-[[nodiscard]] bool is_kept(Eigen::Index iteration);
-
 /// \param weight  `n_c` \return the pairs with a positive one, the largest first
 [[nodiscard]] std::vector<Eigen::Index> by_falling(const Eigen::VectorXd& weight);
 

@@ -69,8 +69,8 @@ double length_of(const ProblemBlocks& problem, const Claim& claim, const VectorX
   if (rigid.size() > 0) length = std::max(length, largest(rigid.cwiseQuotient(unit)));
   double term = 0;
   for (Index j = 0; j < claim.force.size(); ++j)
-    term =
-        std::max(term, largest((problem.compliance.col(j) * claim.force(j)).cwiseQuotient(unit)));
+    if (const double force = claim.force(j); force != 0)
+      term = std::max(term, largest((problem.compliance.col(j) * force).cwiseQuotient(unit)));
   if (length > static_cast<double>(claim.force.size()) * epsilon * term) return length;
   double load = 0;
   for (Index j = 0; j < lever.size(); ++j)

@@ -40,7 +40,8 @@ void name_slides(const FrictionLaw& law, ContactState& state) {
 }  // namespace
 
 // Numbers come as one vector over all rows, gaps first. A state lists forces, friction, gaps and
-// slips apart.
+// slips apart. With three pairs of which the first and the last rub there are five rows: three gaps,
+// then the slips of pair one and of pair three.
 void fill_state(const FrictionLaw& law, const std::vector<ContactStatus>& statuses,
                 const VectorXd& force, const VectorXd& movement, ContactState& state) {
   const Index slips = static_cast<Index>(law.pair.size());
@@ -56,7 +57,7 @@ void fill_state(const FrictionLaw& law, const std::vector<ContactStatus>& status
   name_slides(law, state);
 }
 
-// One line of the history: how many pairs are closed, and how wrong the worst open and the worst
+// One line of the history, which a table or a picture of the way is made of: how many pairs are closed, and how wrong the worst open and the worst
 // closed pair are. The dual energy rises from step to step in methods that make it grow. It is left
 // at 0 where it means nothing: with friction, and with rigid modes. Lengths and forces are those of
 // the problem as it was posed, so that a reader can compare them with the result.
@@ -76,17 +77,9 @@ Iteration summary(const ScaledProblem& problem, const std::vector<ContactStatus>
   return entry;
 }
 
-// The history of a million steps would fill the memory, and nobody reads it. So steps are kept more
-// and more sparsely: 0 to 31, then every second one to 63, every fourth one to 127. A table or a
-// picture over the logarithm of the step loses little. The count of steps in the report is exact.
-bool is_kept(Index iteration) {
-  Index spacing = 1;
-  while (iteration / spacing >= 32) spacing *= 2;
-  return iteration % spacing == 0;
-}
-
 // Of dependent pairs the first one in a list is closed. So the heaviest come first, and pairs of
-// equal weight keep their order, so that a run can be repeated.
+// equal weight keep their order, so that a run can be repeated. Weights 0, 2, 1 and 2 of four pairs
+// give the order 1, 3, 2, counted from 0. The first pair has no weight and is left out.
 std::vector<Index> by_falling(const VectorXd& weight) {
   std::vector<Index> order;
   for (Index i = 0; i < weight.size(); ++i)

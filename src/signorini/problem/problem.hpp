@@ -164,6 +164,8 @@ struct ContactState {
   std::shared_ptr<const ActiveSetSystem> system = {};
 };
 
+struct ScaledProblem;
+
 /// Choices that every solver understands.
 struct SolverOptions {
   Eigen::Index iteration_limit = 0;  ///< 0: the solver's own bound, which grows with the problem
@@ -173,6 +175,8 @@ struct SolverOptions {
   /// `n_c` what the pairs of a problem like this one do, to begin with; or empty. Methods that cannot do not look at
   /// it, and no method needs it to be near.
   std::vector<ContactStatus> start = {};
+  const ContactProblem* known = nullptr;  ///< of which it is known how equilibrate() scales it; null: of none
+  const ScaledProblem* scaled = nullptr;  ///< that problem, scaled: for a method that is asked for the very same
 };
 
 /// Checks a law of friction.
@@ -183,12 +187,13 @@ struct SolverOptions {
 void check_law(const FrictionLaw& law, Eigen::Index pairs, Eigen::Index slips);
 
 /// Checks what every solver relies on: sizes and numbers.
-/// \param problem  any
+/// \param problem    any
+/// \param of_matrix  whether the numbers of F, which another problem may have had before, are looked at too
 /// \throws std::invalid_argument unless all sizes fit, all numbers are finite, mu and c are >= 0, and the
 ///   numbers of F, its diagonal, d, s, mu and c are so far from overflow and underflow (2^-340 to 2^340, or 0;
 ///   small numbers beside the diagonal do no harm) that forces and energies are too; those of r, the largest of
 ///   each column of R and all of its rows with F_ii = 0, whose quotients are forces as well, 2^-170 to 2^170
-void check_finite(const ContactProblem& problem);
+void check_finite(const ContactProblem& problem, bool of_matrix = true);
 
 /// Checks what the solvers for symmetric problems rely on.
 /// \param problem  any

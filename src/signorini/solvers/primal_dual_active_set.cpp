@@ -118,8 +118,9 @@ void primal_dual_iterations(const ScaledProblem& problem, Index limit, Iterate& 
 // runs.
 ContactState primal_dual_active_set(const ContactProblem& problem, const SolverOptions& options) {
   const bool frictional = !problem.law.pair.empty();
-  const ScaledProblem scaled =
-      frictional && problem.resultant.size() == 0 ? equilibrate_any(problem) : equilibrate(problem);
+  const bool known = options.known == &problem, any = frictional && problem.resultant.size() == 0;
+  const ScaledProblem own = known ? ScaledProblem() : any ? equilibrate_any(problem) : equilibrate(problem);
+  const ScaledProblem& scaled = known ? *options.scaled : own;
   const Index asked = options.iteration_limit;
   const Index most = most_exchanges(scaled);
   const Index limit = asked == 0 ? most : frictional ? asked : std::min(asked, most);
