@@ -98,6 +98,21 @@ TEST_CASE("a body that is cut and tied along its nodes is the whole one", "[ties
   CHECK(compared == 2 * 7 * 4);
 }
 
+// What is judged before may say that tied bodies have slid too far; then there are no forces to be told.
+TEST_CASE("tied bodies that slid too far say so, as the whole body does", "[ties]") {
+  for (const bool whole : {true, false}) {
+    CAPTURE(whole);
+    Scene scene = on_floor(whole, true);
+    scene.bodies.push_back(body_of(block("base", {-10, -2}, {30, 2}, 60, 2)));
+    scene.bodies.back().supports = {fixed("bottom")};
+    scene.contacts[0].target = Side{"top", "base"};
+    scene.bodies[scene.bodies.size() - 2].supports = {prescribed("top", Axis::X, 3)};
+    const Solution solution = solve(scene);
+    CHECK(solution.contact.report.status == SolveStatus::SlidTooFar);
+    CHECK(solution.contact.reason.find("has slid by") != std::string::npos);
+  }
+}
+
 // The node where the tie meets the wall is in both contacts, and one of the two halves has no unknowns of its own there.
 TEST_CASE("a tie may end in a contact, whichever side is the source", "[ties]") {
   const bool lower_is_source = GENERATE(true, false);

@@ -253,6 +253,31 @@ TEST_CASE("friction remembers along the surface what slid where nodes lose their
 
 // Pressed by a load to a strain of 9 %, on three nodes. With one factor and without the turn of contact forces an iteration leaves more
 // than a third of the error, and a step ends after 27. With it in the load no step has more than 20, and no correction leads away.
+TEST_CASE("gaps to a disc have digits of their own: small loads end in one step, in any unit", "[motion]") {
+  for (const double unit : {1.0, 1000.0}) {
+    for (const double part : {1e-4, 1e-7, 1e-9}) {
+      CAPTURE(unit, part);
+      Scene scene;
+      Body& body = scene.bodies[0];
+      body.mesh = block("wheel", {0, 0}, {3 * unit, 2 * unit}, 7, 4);
+      body.material = {1000, 0.3, PlaneState::Strain, 1};
+      body.supports = {prescribed("top", Axis::X, 0)};
+      body.loads.edges = {{"top", 1000 * part, {}, "press"}};
+      scene.contacts = {{{"bottom"}, disc({1.5 * unit, -60 * unit}, 60 * unit)}};
+      scene.path = Path{{1}, {proportional("press")}};
+      scene.moves = true;
+      double worst = 1;
+      const PathEnd end = solve_steps(scene, [&](const Model&, const Step& step) {
+        worst = step.solution.certificate.worst();
+      });
+      INFO(end.reason);
+      CHECK(end.status == SolveStatus::Solved);
+      CHECK(end.halvings == 0);
+      CHECK(worst <= 1e-12);
+    }
+  }
+}
+
 TEST_CASE("slips have digits of their own: small loads give the forces of bodies at rest",
           "[motion]") {
   Scene scene = moving_blocks();

@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "catch_compat.hpp"
-#include "signorini/problem/exact_sum.hpp"
+#include "signorini/core/exact_sum.hpp"
 #include "support/random.hpp"
 
 using signorini::ExactSum;

@@ -1,6 +1,6 @@
 // Residuals of many equations at once: as exact as ExactSum, entry by entry.
 #include "catch_compat.hpp"
-#include "signorini/problem/exact_sum.hpp"
+#include "signorini/core/exact_sum.hpp"
 #include "signorini/problem/exact_vector.hpp"
 #include "support/random.hpp"
 

@@ -9,9 +9,9 @@
 #include "catch_compat.hpp"
 #include "papers/solver_table.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/core/exact_sum.hpp"
 #include "signorini/core/random.hpp"
 #include "signorini/core/rounding.hpp"
-#include "signorini/problem/exact_sum.hpp"
 
 using Eigen::Index;
 using Eigen::MatrixXd;

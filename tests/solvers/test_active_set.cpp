@@ -36,6 +36,19 @@ TEST_CASE("enumeration and the active set method agree on 600 random problems",
   CHECK(exchanges > 3);  // the sample is not trivial
 }
 
+TEST_CASE("a problem that is known scaled has the same bits, and is taken for no other", "[active_set]") {
+  Random random(77);
+  for (int sample = 0; sample < 20; ++sample) {
+    const ContactProblem problem = random_problem(random, 6), other = random_problem(random, 6);
+    const ScaledProblem scaled = equilibrate(problem);
+    SolverOptions options;
+    options.known = &problem;
+    options.scaled = &scaled;
+    CHECK(primal_dual_active_set(problem, options).force == primal_dual_active_set(problem).force);
+    CHECK(primal_dual_active_set(other, options).force == primal_dual_active_set(other).force);
+  }
+}
+
 TEST_CASE("neither the scale of rows nor units change a decision or an iteration",
           "[active_set][units]") {
   Random random(7);

@@ -1,5 +1,6 @@
 // Bodies that only contact stops, and that nothing pushes: no forces at all, at a place where nothing overlaps.
 #include "addons/certified/solve_with_proofs.hpp"
+#include "addons/programme/dense_programme.hpp"
 #include "catch_compat.hpp"
 #include "papers/solver_table.hpp"
 #include "signorini/problem/certificate.hpp"

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/exact_sum.hpp"
 #include "signorini/problem/active_set_system.hpp"
 #include "signorini/problem/certificate.hpp"
-#include "signorini/problem/exact_sum.hpp"
 #include "support/random.hpp"
 
 namespace signorini_test {

@@ -95,20 +95,31 @@ double borne(const BodyModel& body, const NodeArray& inside, const Resultant& no
 /// What is found once for all bodies of a model.
 struct Whole {
   double rounding;    ///< of a sum of internal forces [force]
-  NodeArray strains;  ///< displacements of all nodes without rigid motions [length]
+  NodeArray strains;  ///< displacements of all nodes without rigid motions, empty if the solution has them [length]
   double loads = 0;   ///< magnitudes of the loads on all bodies [force]
 
   Whole(const Model& model, const Solution& solution, double rounding_of_sums)
-      : rounding(rounding_of_sums), strains(expand(model.unknowns, strained(solution.refined))) {
+      : rounding(rounding_of_sums) {
+    if (solution.strains.empty()) strains = expand(model.unknowns, strained(solution.refined));
     for (const BodyModel& body : model.bodies) loads += given(body);
   }
 };
+
+/// How far what strains any body goes [length].
+double farthest(const Solution& solution) {
+  double most = solution.strains.empty() ? largest(strained(solution.refined)) : 0;
+  for (const NodeArray& own : solution.strains) most = std::max(most, own.cwiseAbs().maxCoeff());
+  return most;
+}
 
 /// The share of its forces that a body as a whole lacks. Loads are data. Forces that were found count if they are more than rounding, or
 /// than nothing beside all loads: where nothing pushes, all that is found is rounding, and nothing is lost.
 double lost_share(const Model& model, const Solution& solution, const Whole& whole, std::size_t b) {
   const BodyModel& body = model.bodies[b];
-  const NodeArray own = whole.strains.middleRows(body.first_node, body.mesh.n_nodes());
+  const NodeArray own =
+      solution.strains.empty()
+          ? NodeArray(whole.strains.middleRows(body.first_node, body.mesh.n_nodes()))
+          : solution.strains[b];
   const NodeArray inside = internal_forces(body.mesh, body.element, body.material, own);
   const Eigen::RowVector2d middle = body.mesh.nodes.colwise().mean();
   const Resultant none(body, middle.transpose(),
@@ -127,8 +138,7 @@ double lost_share(const Model& model, const Solution& solution, const Whole& who
 void judge_lost_digits(const Model& model, const Condensed& /*condensed*/, Solution& solution) {
   // What rounding of K does to a sum of internal forces, as errors without an order add up, and some times more.
   const QuadraticProgramme& programme = model.programme;
-  const double rounding =
-      8 * epsilon * size_of(programme.stiffness) * largest(strained(solution.refined));
+  const double rounding = 8 * epsilon * size_of(programme.stiffness) * farthest(solution);
   const bool moved = !model.unknowns.held.isZero(0);  // by supports, which is in p as well
   std::optional<VectorXd> contact;
   std::optional<Whole> whole;

@@ -32,6 +32,13 @@ void check_slides(const Scene& scene, const std::string& what) {
                 "let it hold its sides together, make it a contact, or leave out moves and law");
 }
 
+/// Displacements that are equal on both sides of a gap leave the gap as it is, and it would have to turn with the bodies.
+void check_gap(const Scene& scene, const Bond& bond) {
+  require_input(bond.apart == 0 || !any_law(scene), bond.what, ": its sides are up to ", bond.apart,
+                " apart, and a body of this scene has a law of finite strain: the gap would keep its direction while bodies "
+                "turn. Take closes = true, meshes that match, or quadratic ones along a curve that are closer");
+}
+
 /// Equations between displacements hold wherever bodies go. Springs with fixed directions and rigid sides take turns to be small.
 void check_turns(const Scene& scene, const std::string& what) {
   require_input(!any_law(scene), what,
@@ -123,6 +130,7 @@ void declare_equations(const Scene& scene, Plan& draft) {
     add_tie(tie, draft, *all);
     if (tie.slides) check_slides(scene, all->bonds.back().what);
     if (tie.stiffness) check_turns(scene, all->bonds.back().what);
+    check_gap(scene, all->bonds.back());
   }
   std::size_t number = 0;
   for (const Relation& relation : scene.bonds->relations)

@@ -3,6 +3,7 @@
 /// Equations between displacement components, solved for one unknown each.
 #pragma once
 #include <Eigen/SparseCore>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -13,6 +14,7 @@
 
 namespace signorini {
 
+struct ContactSpec;
 struct Displaced;
 struct Relation;
 struct RigidSide;
@@ -38,7 +40,8 @@ struct Bond {
   std::string name;        ///< as tables have it, such as "upper.bottom to lower.top"
   std::string what;        ///< as messages have it
   Pairs pairs = {};        ///< of a tie
-  Eigen::Index first_node = 0;  ///< of the body of its source, among all nodes
+  double apart = 0;        ///< how far its sides are and stay from each other [length]
+  std::shared_ptr<const ContactSpec> sides = {};  ///< of a tie
   std::vector<Eigen::Index> nodes = {};  ///< without pairs: those whose forces are told, among all nodes
   std::size_t first = 0;   ///< of its equations
   std::size_t end = 0;     ///< the one after its last
@@ -115,6 +118,10 @@ void check_springs(Model& model);
 /// a spring on \f$ u_e - R u - s \f$ makes the eliminated unknowns what the equations say: at the minimum it is at rest.
 /// \param model  whose effects have all added what they have
 void take_equations(Model& model);
+
+/// What equations lack where bodies stand, if supports are at their ends.
+/// \param at  where bodies stand \param model  whose `held` counts for what supports hold \return h - C u `m` [length]
+[[nodiscard]] Eigen::VectorXd lacking_at(const Displaced& at, const Model& model);
 
 /// The same for rows that were found where bodies have moved to, whose gaps and slips count from there: the way that is left
 /// takes the equations to where they hold.

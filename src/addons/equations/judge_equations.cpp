@@ -3,10 +3,13 @@
 #include <utility>
 
 #include "addons/equations/equations.hpp"
+#include "signorini/core/errors.hpp"
 #include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/scene/bodies.hpp"
+#include "signorini/scene/pair_up.hpp"
 #include "signorini/scene/readings.hpp"
+#include "signorini/scene/step_loop.hpp"
 
 namespace signorini {
 namespace {
@@ -14,14 +17,6 @@ namespace {
 using Eigen::Index;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
-
-/// What rows lack: C u - h `m` of all nodes.
-VectorXd lacking(const Model& model, const VectorXd& u) {
-  const Equations& all = *model.equations;
-  VectorXd left = all.matrix * u;
-  for (Index k = 0; k < left.size(); ++k) left(k) -= all.rows[at(k)].right;
-  return left;
-}
 
 /// By how much equations do not hold, beside how far their nodes move or how large their right sides are.
 double open_equations(const Model& model, const VectorXd& u, const VectorXd& left) {
@@ -66,23 +61,51 @@ void add_force(const Vector2d& x, const Vector2d& f, bool axial, BondForces& sum
   if (!axial) sum.moment += x.x() * f.y() - x.y() * f.x();
 }
 
-/// How far a node has moved from where its body was when its forces were found.
-Vector2d gone(const Model& model, Index node) {
-  return model.standing ? Vector2d(model.standing->displacement.row(node).transpose())
-                        : Vector2d(0, 0);
+/// Where a node is, if bodies have moved to where their forces were found.
+Vector2d place_of(const Model& model, const BodyModel& body, Index node) {
+  const Vector2d still = body.mesh.nodes.row(node - body.first_node).transpose();
+  return model.standing ? Vector2d(still + model.standing->displacement.row(node).transpose())
+                        : still;
 }
 
-/// Adds the force of a pair that has `gone` from its position, as Resultants has it.
-void add_pair(const Pairs& pairs, Index pair, const Vector2d& gone, const Vector2d& forces, bool axial,
-              BondForces& sum) {
+/// The pairs of a tie where its sides stand. Should other nodes face each other there, the normals are those of the meshes.
+Pairs pairs_there(const Model& model, const Bond& bond) {
+  if (!model.standing) return bond.pairs;
+  std::vector<BodyModel> bodies = model.bodies;
+  for (BodyModel& body : bodies)
+    body.mesh.nodes +=
+        model.standing->displacement.middleRows(body.first_node, body.mesh.n_nodes());
+  try {
+    Pairs there = pair_up(*bond.sides, bodies, false, nullptr);
+    if (there.node == bond.pairs.node) return there;
+  } catch (const ProblemError&) {
+  }
+  Pairs there = bond.pairs;
+  const BodyModel& source = bodies[body_index(bodies, bond.sides->source)];
+  there.position = source.mesh.nodes(there.node, Eigen::all);
+  return there;
+}
+
+/// What a pair pushes with, by what its rows carry.
+Vector2d push(const Pairs& pairs, Index pair, const Vector2d& forces) {
   const Vector2d n = pairs.normal.row(pair).transpose();
-  const Vector2d f = forces.x() * n + forces.y() * Vector2d(n.y(), -n.x());
-  const double pressure = forces.x() / pairs.weight(pair);
+  return forces.x() * n + forces.y() * Vector2d(n.y(), -n.x());
+}
+
+/// The same push, by what rows there would carry.
+Vector2d carried_there(const Pairs& there, Index pair, const Vector2d& f) {
+  const Vector2d n = there.normal.row(pair).transpose();
+  return Vector2d(f.dot(n), f.x() * n.y() - f.y() * n.x()) / n.squaredNorm();
+}
+
+/// Adds the force of a pair, as Resultants has it.
+void add_pair(const Pairs& there, Index pair, const Vector2d& forces, bool axial, BondForces& sum) {
+  const double pressure = forces.x() / there.weight(pair);
   sum.least_pressure = pair == 0 ? pressure : std::min(sum.least_pressure, pressure);
   sum.largest_pressure = pair == 0 ? pressure : std::max(sum.largest_pressure, pressure);
-  sum.largest_shear = std::max(sum.largest_shear, std::abs(forces.y()) / pairs.weight(pair));
-  add_force(pairs.position.row(pair).transpose() + gone, f, axial, sum);
-  if (!axial) sum.moment += pairs.moment.row(pair).dot(forces.transpose());
+  sum.largest_shear = std::max(sum.largest_shear, std::abs(forces.y()) / there.weight(pair));
+  add_force(there.position.row(pair).transpose(), push(there, pair, forces), axial, sum);
+  if (!axial) sum.moment += there.moment.row(pair).dot(forces.transpose());
 }
 
 /// The sums of a tie.
@@ -95,17 +118,19 @@ void add_pairs(const Model& model, const Bond& bond, const VectorXd& row_force, 
         row_force(static_cast<Index>(k)) * Eigen::RowVector2d(row.opening, row.sliding);
   }
   const bool axial = is_axial(model.bodies.front());
-  for (Index pair = 0; pair < pairs; ++pair)
-    add_pair(bond.pairs, pair, gone(model, bond.first_node + bond.pairs.node[at(pair)]),
-             forces.row(pair).transpose(), axial, sum);
+  const Pairs there = pairs_there(model, bond);
+  for (Index pair = 0; pair < pairs; ++pair) {
+    Vector2d own = forces.row(pair).transpose();
+    if (model.standing) own = carried_there(there, pair, push(bond.pairs, pair, own));
+    add_pair(there, pair, own, axial, sum);
+  }
 }
 
 /// The sums of the forces on the nodes of a bond without sides that face each other.
 void add_nodes(const Model& model, const Bond& bond, const VectorXd& nodal, BondForces& sum) {
   for (const Index node : bond.nodes) {
     const BodyModel& body = model.bodies[body_of_node(model.bodies, node)];
-    add_force(body.mesh.nodes.row(node - body.first_node).transpose() + gone(model, node),
-              nodal.segment<2>(2 * node), is_axial(body), sum);
+    add_force(place_of(model, body, node), nodal.segment<2>(2 * node), is_axial(body), sum);
   }
 }
 
@@ -134,10 +159,12 @@ std::vector<BondForces> bond_forces(const Model& model, const Solution& solution
 }
 
 void judge_equations(const Model& model, const Condensed& /*condensed*/, Solution& solution) {
-  if (!model.equations) return;
+  if (!model.equations || solution.contact.report.status != SolveStatus::Solved) return;
   const Equations& all = *model.equations;
   const VectorXd u = all_displacements(model, solution.displacements);
-  const VectorXd left = lacking(model, u);
+  Displaced there = displaced(model.unknowns, solution.refined);
+  there.high = Eigen::Map<const NodeArray>(u.data(), there.high.rows(), 2);
+  const VectorXd left = -lacking_at(there, model);
   VectorXd forces = VectorXd::Zero(left.size());
   for (Index k = 0; k < left.size(); ++k) forces(k) = -all.rows[at(k)].stiffness.value_or(0) * left(k);
   const VectorXd missing = missing_forces(model, solution, on_nodes(all, forces));

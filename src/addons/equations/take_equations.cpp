@@ -4,9 +4,9 @@
 
 #include "addons/equations/equations.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/core/exact_sum.hpp"
 #include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"
-#include "signorini/problem/exact_sum.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/step_loop.hpp"
 
@@ -111,24 +111,6 @@ class Taking {
   VectorXd springs_;    // on the differences of eliminated unknowns from what the equations say
 };
 
-/// What equations lack where bodies stand if supports go on to their ends: h - C u `m` [length].
-VectorXd lacking_at(const Displaced& there, const Model& model) {
-  const Equations& all = *model.equations;
-  VectorXd lacking(all.matrix.rows());
-  for (Index row = 0; row < lacking.size(); ++row) {
-    ExactSum sum(all.rows[at(row)].right);
-    for (NodalRows::InnerIterator it(all.matrix, row); it; ++it) {
-      const Index node = it.col() / 2, axis = it.col() % 2;
-      const bool held = model.unknowns.number(node, axis) < 0;
-      sum.add_product(-it.value(),
-                      held ? model.unknowns.held(node, axis) : there.high(node, axis));
-      if (!held) sum.add(-it.value() * there.low(node, axis));
-    }
-    lacking(row) = sum.value();
-  }
-  return lacking;
-}
-
 }  // namespace
 
 Sparse by_free_unknowns(const Eliminated& solved, Index unknowns) {
@@ -176,6 +158,23 @@ void take_equations(Model& model) {
     taking.take(right, part.history.empty(), part.load, part.movement);
   }
   taking.take_matrices();
+}
+
+VectorXd lacking_at(const Displaced& place, const Model& model) {
+  const Equations& all = *model.equations;
+  VectorXd lacking(all.matrix.rows());
+  for (Index row = 0; row < lacking.size(); ++row) {
+    ExactSum sum(all.rows[at(row)].right);
+    for (NodalRows::InnerIterator it(all.matrix, row); it; ++it) {
+      const Index node = it.col() / 2, axis = it.col() % 2;
+      const bool held = model.unknowns.number(node, axis) < 0;
+      sum.add_product(-it.value(),
+                      held ? model.unknowns.held(node, axis) : place.high(node, axis));
+      if (!held) sum.add(-it.value() * place.low(node, axis));
+    }
+    lacking(row) = sum.value();
+  }
+  return lacking;
 }
 
 void take_equations_of_rows(const Displaced& at, Model& model) {

@@ -73,13 +73,15 @@ std::vector<Equation> rows_of(const Pairs& pairs, const NodalRows& slips, Index 
 }
 
 /// What is done about gaps of the meshes, in words for the plan; nothing if there are none.
-std::string fit(const Tie& tie, Pairs& pairs) {
+std::string fit(const Tie& tie, Bond& bond) {
+  Pairs& pairs = bond.pairs;
   const double rounding = gap_rounding(pairs);
   const Eigen::ArrayXd gap = pairs.initial_gap;
   const double apart = gap.size() > 0 ? gap.abs().maxCoeff() : 0;
   const bool closes = tie.closes && !tie.stiffness;
   pairs.initial_gap = (gap.abs() <= (closes ? rounding : apart)).select(0, gap);
   if (apart <= rounding) return "";
+  bond.apart = closes ? 0 : apart;
   return text(", gaps and overlaps of up to ", apart, closes ? " closed" : " stay");
 }
 
@@ -128,14 +130,15 @@ void add_tie(const Tie& tie, Plan& draft, Equations& all) {
   bond.pairs = pair_up(tie.sides, draft.bodies, false, nullptr);
   check_tie(tie.sides, bond.what, bond.pairs);
   check_obstacle_side(tie.sides, draft.bodies, bond.pairs);
-  const std::string fitted = fit(tie, bond.pairs);
+  const std::string fitted = fit(tie, bond);
   note_unpaired(bond.what, bond.pairs, draft);
   const NodalRows slips = turned(bond.pairs.opening);
-  bond.first_node = draft.bodies[body_index(draft.bodies, tie.sides.source)].first_node;
+  bond.sides = std::make_shared<const ContactSpec>(tie.sides);
+  const Index first_node = draft.bodies[body_index(draft.bodies, tie.sides.source)].first_node;
   bond.first = all.rows.size();
   if (tie.stiffness) add_springs(*tie.stiffness, bond, slips, all.rows);
   for (Index pair = 0; pair < bond.pairs.initial_gap.size() && !tie.stiffness; ++pair) {
-    const Index node = bond.first_node + bond.pairs.node[at(pair)];
+    const Index node = first_node + bond.pairs.node[at(pair)];
     for (Equation& row : rows_of(bond.pairs, slips, pair, node, draft, tie.slides))
       if (!between_supports(draft, row, row.own)) all.rows.push_back(std::move(row));
   }

@@ -5,9 +5,9 @@
 
 #include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/core/exact_sum.hpp"
 #include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"
-#include "signorini/problem/exact_sum.hpp"
 
 namespace signorini {
 namespace {

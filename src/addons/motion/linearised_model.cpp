@@ -15,8 +15,8 @@
 #include "addons/equations/equations.hpp"
 #include "addons/motion/moved_pairs.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/core/exact_sum.hpp"
 #include "signorini/core/rounding.hpp"
-#include "signorini/problem/exact_sum.hpp"
 #include "signorini/problem/residual.hpp"
 #include "signorini/scene/balance.hpp"
 
@@ -34,6 +34,14 @@ VectorXd moved_within(const Model& model, const Displaced& at) {
     own.rowwise() -= own.colwise().mean().eval();
   }
   return restricted(model.unknowns, moved);
+}
+
+/// The displacements of a body less that of its first node; in axial symmetry a shift along the radius strains, and stays.
+NodeArray less_carried(const BodyModel& body, const Displaced& at) {
+  const auto high = at.high.middleRows(body.first_node, body.mesh.n_nodes());
+  Eigen::RowVector2d carried = high.row(0);
+  if (is_axial(body)) carried.x() = 0;
+  return NodeArray(high.rowwise() - carried) + at.low.middleRows(body.first_node, body.mesh.n_nodes());
 }
 
 /// What supports still have to give.
@@ -131,9 +139,11 @@ void LinearisedModel::conclude(Solution& solution) const {
   solution.refined.displacement = restricted(model_.unknowns, at_.high);
   solution.refined.displacement_low = restricted(model_.unknowns, at_.low);
   solution.refined.rigid = {};
+  solution.strains.clear();
   for (std::size_t b = 0; b < model_.bodies.size(); ++b) {
     const BodyModel& body = model_.bodies[b];
     solution.displacements[b] = at_.high.middleRows(body.first_node, body.mesh.n_nodes());
+    solution.strains.push_back(less_carried(body, at_));
   }
   count_from_the_scene(at_, model_);
   if (finite())

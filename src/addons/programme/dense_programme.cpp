@@ -243,4 +243,13 @@ QuadraticProgramme sparse(const DenseProgramme& programme) {
   return result;
 }
 
+// Only the lower triangle is computed, which takes half of the time, and the upper one is its copy. So the product is symmetric
+// to the last bit, and is_symmetric() has no doubt.
+Eigen::MatrixXd gram(const Eigen::MatrixXd& half) {
+  Eigen::MatrixXd product = Eigen::MatrixXd::Zero(half.cols(), half.cols());
+  product.selfadjointView<Eigen::Lower>().rankUpdate(half.transpose());
+  product.triangularView<Eigen::StrictlyUpper>() = product.transpose();
+  return product;
+}
+
 }  // namespace signorini

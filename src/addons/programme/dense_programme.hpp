@@ -79,4 +79,8 @@ struct DenseSolution {
 /// \return K, p, A, g
 [[nodiscard]] QuadraticProgramme sparse(const DenseProgramme& programme);
 
+/// \param half  H `n x n_c`
+/// \return G = H^T H `n_c x n_c`, exactly symmetric
+[[nodiscard]] Eigen::MatrixXd gram(const Eigen::MatrixXd& half);
+
 }  // namespace signorini

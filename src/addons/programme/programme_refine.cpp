@@ -3,10 +3,10 @@
 #include <limits>
 
 #include "addons/programme/programme_rows.hpp"
+#include "signorini/core/exact_sum.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/core/triangular.hpp"
 #include "signorini/problem/corrections.hpp"
-#include "signorini/problem/exact_sum.hpp"
 #include "signorini/problem/exact_vector.hpp"
 
 namespace signorini {

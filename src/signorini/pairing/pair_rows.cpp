@@ -60,8 +60,7 @@ void write_matrix(Entries entries, const Eigen::VectorXd& total, Index columns,
 /// direction, \f$ w = x - \bar x \f$ and \f$ a \f$. Both are sums over nodes, counted from a node of the target, so that nothing is
 /// lost far from the origin. Of places of nodes they are w and a, of what nodes have moved they are what w and a have changed.
 struct Facing {
-  Vector2d way = {0, 0};
-  Vector2d along = {0, 0};
+  Vector2d way = {0, 0}, along = {0, 0};
 
   Facing(const PairPoint& point, const SideCurve& target,
          const Eigen::Ref<const NodeArray>& of_source,
@@ -89,8 +88,7 @@ struct Facing {
 /// body of length 1 keeps its digits, which the difference of two places would not.
 double slid(const Interface& interface, const PairPoint& point, const NodeArray& since) {
   const SideCurve& target = interface.search.side(point.place.side);
-  const Surface& one = interface.source;
-  const Surface& other = interface.target;
+  const Surface &one = interface.source, &other = interface.target;
   const Facing now(point, target, one.mesh.nodes, other.mesh.nodes);
   const Facing moved(point, target, since.middleRows(one.first_node, one.mesh.n_nodes()),
                      since.middleRows(other.first_node, other.mesh.n_nodes()));

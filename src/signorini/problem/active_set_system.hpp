@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "signorini/problem/exact_sum.hpp"
+#include "signorini/core/exact_sum.hpp"
 #include "signorini/problem/scaled.hpp"
 
 namespace signorini {

@@ -27,8 +27,8 @@
 #include <ostream>
 #include <sstream>
 
+#include "signorini/core/exact_sum.hpp"
 #include "signorini/core/rounding.hpp"
-#include "signorini/problem/exact_sum.hpp"
 
 namespace signorini {
 namespace {

@@ -14,10 +14,10 @@
 #include <cmath>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/exact_sum.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/problem/active_set_system.hpp"
 #include "signorini/problem/certificate.hpp"
-#include "signorini/problem/exact_sum.hpp"
 #include "signorini/problem/exact_vector.hpp"
 
 namespace signorini {

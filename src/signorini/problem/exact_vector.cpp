@@ -10,7 +10,7 @@
 
 #include "signorini/problem/exact_vector.hpp"
 
-#include "signorini/problem/exact_sum.hpp"
+#include "signorini/core/exact_sum.hpp"
 
 namespace signorini {
 

@@ -115,15 +115,6 @@ Eigen::VectorXd free_movement(const ContactProblem& problem) {
   return free;
 }
 
-// Only the lower triangle is computed, which takes half of the time, and the upper one is its copy.
-// So the product is symmetric to the last bit, and is_symmetric() has no doubt.
-Eigen::MatrixXd gram(const Eigen::MatrixXd& half) {
-  Eigen::MatrixXd product = Eigen::MatrixXd::Zero(half.cols(), half.cols());
-  product.selfadjointView<Eigen::Lower>().rankUpdate(half.transpose());
-  product.triangularView<Eigen::StrictlyUpper>() = product.transpose();
-  return product;
-}
-
 // A solver that begins again, or a portfolio that tries several, reports the work of all runs.
 void append(Report& total, const Report& run) {
   total.status = run.status;

@@ -229,8 +229,4 @@ void check_plain(const ContactProblem& problem, const char* solver);
 [[nodiscard]] Eigen::VectorXd row_scales(const Eigen::MatrixXd& matrix,
                                          const Eigen::MatrixXd& rigid, const Eigen::VectorXd& free);
 
-/// \param half  H `n x n_c`
-/// \return G = H^T H `n_c x n_c`, exactly symmetric
-[[nodiscard]] Eigen::MatrixXd gram(const Eigen::MatrixXd& half);
-
 }  // namespace signorini

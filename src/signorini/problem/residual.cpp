@@ -17,9 +17,9 @@
 #include <vector>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/exact_sum.hpp"
 #include "signorini/core/index.hpp"
 #include "signorini/core/parts.hpp"
-#include "signorini/problem/exact_sum.hpp"
 
 namespace signorini {
 namespace {

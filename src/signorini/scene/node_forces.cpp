@@ -44,8 +44,9 @@ NodeArray support_forces(const Model& model, const Solution& solution, std::size
   const NodeArray contact = contact_forces(model, solution, body);
   const BodyModel& own = model.bodies[body];
   // A rigid motion strains nothing, but its rounding would.
-  const NodeArray all = expand(model.unknowns, strained(solution.refined));
-  const NodeArray strains = all.middleRows(own.first_node, own.mesh.n_nodes());
+  NodeArray strains = expand(model.unknowns, strained(solution.refined))
+                          .middleRows(own.first_node, own.mesh.n_nodes());
+  if (!solution.strains.empty()) strains = solution.strains[body];
   NodeArray held = internal_forces(own.mesh, own.element, own.material, strains) -
                    nodal_loads(own.mesh, own.element, own.material, own.loads) - contact;
   if (!solution.bond_forces.empty()) held -= solution.bond_forces[body];

@@ -25,8 +25,8 @@
 #include <vector>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/exact_sum.hpp"
 #include "signorini/core/rounding.hpp"
-#include "signorini/problem/exact_sum.hpp"
 
 namespace signorini {
 namespace {

@@ -26,6 +26,8 @@ struct Condensed {
 /// proved and the ledger only.
 struct Solution {
   std::vector<NodeArray> displacements;  ///< `n_nodes x 2` of each body [length]
+  /// `n_nodes x 2` of each body less what carries it, with the digits that are lost beside that [length]; empty: nothing does
+  std::vector<NodeArray> strains = {};
   ContactState contact;                  ///< refined forces, gaps, slips and status per pair
   Eigen::VectorXd pressure;              ///< `n_c` force / weight [force/length^2], compression > 0
   PrimalDual refined;                    ///< unknowns in two parts, and the forces of all rows of A

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "signorini/core/errors.hpp"
-#include "signorini/problem/exact_sum.hpp"
+#include "signorini/core/exact_sum.hpp"
 
 namespace signorini_test {
 
