@@ -14,7 +14,7 @@ struct Tie {
   ContactSpec sides;    ///< source, target and operator: a tie refuses friction, interference and adjusted gaps
   bool slides = false;  ///< whether the source may slide along the target, without friction
   /// Whether gaps and overlaps of the meshes are closed, which strains the bodies. Without it the sides stay as far apart as the
-  /// meshes have them, such as straight edges of two meshes along one curve.
+  /// meshes have them, such as straight edges of two meshes along one curve; bodies with a law of finite strain refuse that.
   bool closes = false;
   /// Springs all along the sides in the place of the tie, at rest as the meshes are: along the normal, and along the tangent,
   /// not negative [force/length^3]

@@ -98,7 +98,7 @@ void add_rigid(const RigidSide& rigid, Plan& draft, Equations& all);
 /// \param rows  A `m x n` \param by_free  T `n x n`, see by_free_unknowns() \return A T
 [[nodiscard]] NodalRows on_free_unknowns(const NodalRows& rows, const Eigen::SparseMatrix<double>& by_free);
 
-/// \return whether pairs of a scene are found where its bodies move to
+/// \param scene  any \return whether its pairs are found where its bodies move to
 [[nodiscard]] bool bodies_move(const Scene& scene);
 
 /// Leaves out pairs that equations let neither open nor close: the forces of the equations are all that can be told there.
