@@ -2,6 +2,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "addons/motion/moved_pairs.hpp"
 #include "addons/motion/turns.hpp"
 #include "addons/steps/steps.hpp"
 #include "catch_compat.hpp"
@@ -253,6 +254,21 @@ TEST_CASE("friction remembers along the surface what slid where nodes lose their
 
 // Pressed by a load to a strain of 9 %, on three nodes. With one factor and without the turn of contact forces an iteration leaves more
 // than a third of the error, and a step ends after 27. With it in the load no step has more than 20, and no correction leads away.
+TEST_CASE("a slip of 1e-6 has its digits beside a way of 1e6 that both bodies go", "[motion]") {
+  const Scene scene = moving_blocks();
+  Model model = built(scene);
+  const NodeArray zero = NodeArray::Zero(count_nodes(model.bodies), 2);
+  Displaced gone(zero);
+  gone.high.col(0).setConstant(0x1p20);
+  const BodyModel& block = model.bodies[1];
+  gone.high.middleRows(block.first_node, block.mesh.n_nodes()).col(0).array() += 0x1p-20;
+  gone.low.middleRows(block.first_node, block.mesh.n_nodes()).col(0).array() = 1e-13;
+  place_bodies(scene, gone, zero, model);
+  const VectorXd slips = model.programme.initial_gap.tail(static_cast<Index>(model.law.pair.size()));
+  REQUIRE(slips.size() == 6);
+  CHECK((slips.array().abs() - (0x1p-20 + 1e-13)).abs().maxCoeff() <= 1e-16);
+}
+
 TEST_CASE("gaps to a disc have digits of their own: small loads end in one step, in any unit", "[motion]") {
   for (const double unit : {1.0, 1000.0}) {
     for (const double part : {1e-4, 1e-7, 1e-9}) {
