@@ -6,6 +6,7 @@
 #include "addons/equations/bonds.hpp"
 #include "addons/equations/equations.hpp"
 #include "addons/equations/register.hpp"
+#include "addons/equations/take_equations.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"
@@ -19,11 +20,6 @@ namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-
-bool any_law(const Scene& scene) {
-  return std::any_of(scene.bodies.begin(), scene.bodies.end(),
-                     [](const Body& body) { return body.material.law != nullptr; });
-}
 
 /// What slides along a side stays on it as the meshes have it. \param what  the bond, as messages have it
 void check_slides(const Scene& scene, const std::string& what) {
@@ -150,6 +146,11 @@ void declare_equations(const Scene& scene, Plan& draft) {
 }
 
 }  // namespace
+
+bool any_law(const Scene& scene) {
+  return std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                     [](const Body& body) { return body.material.law != nullptr; });
+}
 
 bool bodies_move(const Scene& scene) { return scene.moves || any_law(scene); }
 

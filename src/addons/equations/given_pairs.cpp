@@ -7,6 +7,7 @@
 
 #include "addons/equations/bonds.hpp"
 #include "addons/equations/equations.hpp"
+#include "addons/equations/take_equations.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"

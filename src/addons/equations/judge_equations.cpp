@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "addons/equations/equations.hpp"
+#include "addons/equations/take_equations.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"

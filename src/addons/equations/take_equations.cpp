@@ -2,7 +2,7 @@
 #include <cmath>
 #include <utility>
 
-#include "addons/equations/equations.hpp"
+#include "addons/equations/take_equations.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/exact_sum.hpp"
 #include "signorini/core/index.hpp"

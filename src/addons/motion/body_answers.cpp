@@ -11,7 +11,7 @@
 
 #include <algorithm>
 
-#include "addons/equations/equations.hpp"
+#include "addons/equations/take_equations.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/fem/eigenstrain.hpp"
 #include "signorini/fem/strain_law.hpp"

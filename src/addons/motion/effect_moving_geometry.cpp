@@ -1,4 +1,5 @@
 // Moving geometry: pairs of bodies where they have moved to, step by step.
+#include "addons/equations/equations.hpp"
 #include "addons/motion/moved_scene.hpp"
 #include "addons/motion/register.hpp"
 #include "signorini/core/errors.hpp"

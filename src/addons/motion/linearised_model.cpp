@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "addons/equations/equations.hpp"
+#include "addons/equations/take_equations.hpp"
 #include "addons/motion/moved_pairs.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/exact_sum.hpp"

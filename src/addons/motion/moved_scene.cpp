@@ -4,7 +4,7 @@
 #include <memory>
 #include <utility>
 
-#include "addons/equations/equations.hpp"
+#include "addons/equations/take_equations.hpp"
 #include "addons/motion/moved_pairs.hpp"
 #include "addons/motion/moving_step.hpp"
 #include "signorini/core/errors.hpp"
@@ -46,10 +46,6 @@ std::shared_ptr<const Scene> contacts_of(const Scene& scene) {
 }  // namespace
 
 bool has_law(const Body& body) { return body.material.law != nullptr; }
-
-bool any_law(const Scene& scene) {
-  return std::any_of(scene.bodies.begin(), scene.bodies.end(), has_law);
-}
 
 void move_pairs(const Scene& scene, Plan& draft) {
   require_input(scene.path.has_value(),

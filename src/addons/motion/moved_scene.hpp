@@ -14,7 +14,5 @@ void move_pairs(const Scene& scene, Plan& draft);
 
 /// \param body  of a scene \return whether its strains are not small
 [[nodiscard]] bool has_law(const Body& body);
-/// \param scene  any \return whether a body of it has a law of finite strain
-[[nodiscard]] bool any_law(const Scene& scene);
 
 }  // namespace signorini

@@ -57,8 +57,8 @@ void fill_state(const FrictionLaw& law, const std::vector<ContactStatus>& status
   name_slides(law, state);
 }
 
-// One line of the history, which a table or a picture of the way is made of: how many pairs are closed, and how wrong the worst open and the worst
-// closed pair are. The dual energy rises from step to step in methods that make it grow. It is left
+// One line of the history, which tables and pictures of the way are made of: how many pairs are
+// closed, and how wrong the worst open and the worst closed pair are. The dual energy rises from step to step in methods that make it grow. It is left
 // at 0 where it means nothing: with friction, and with rigid modes. Lengths and forces are those of
 // the problem as it was posed, so that a reader can compare them with the result.
 Iteration summary(const ScaledProblem& problem, const std::vector<ContactStatus>& statuses,
