@@ -1,6 +1,6 @@
 #include "addons/files/siconos.hpp"
 
-#include <cstdint>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -154,11 +154,11 @@ MatrixXd read_sparse(TextReader& in, Index n) {
   if (!columns) expect_word(in, "triplet:");
   expect_word(in, text(n, "-by-", n, ","));
   expect_word(in, "nzmax:");
-  static_cast<void>(whole_below(in, "room for entries", 0, INT64_MAX));
+  static_cast<void>(whole_below(in, "room for entries", 0, std::numeric_limits<Index>::max()));
   expect_word(in, "nnz:");
   std::string_view entries = in.word_anywhere();
   if (columns) entries = entries.substr(0, entries.find(','));  // the norm follows
-  const Index count = in.whole(entries, "number of entries", 0, INT64_MAX);
+  const Index count = in.whole(entries, "number of entries", 0, std::numeric_limits<Index>::max());
   static_cast<void>(in.rest_of_line());
   if (columns)
     read_columns(in, count, M);

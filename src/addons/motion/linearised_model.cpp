@@ -19,6 +19,7 @@
 #include "signorini/core/rounding.hpp"
 #include "signorini/problem/residual.hpp"
 #include "signorini/scene/balance.hpp"
+#include "signorini/scene/bodies.hpp"
 
 namespace signorini {
 namespace {
