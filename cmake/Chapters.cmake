@@ -7,11 +7,11 @@
 #                 pictures were drawn from the committed curves
 #   chNN/text     the text quotes the committed numbers, tables and code
 # `ctest -R ch06/` runs one chapter.  The target `chapters` compiles all of them and nothing else, `alone` lets the compiler
-# read each program, each public header and each source of the library as the file that it is, without writing code.
+# read each program, and each public header, as the file that it is, without writing code.
 find_program(GNUPLOT gnuplot)
 add_custom_target(chapters)
 add_custom_target(alone)  # programs one by one and the tests of exercises apart: none may live on what another one of its batch includes
-add_dependencies(alone files_alone)
+add_dependencies(alone headers_alone)
 add_custom_target(run_chapters)  # all but the first; one runs while the next is compiled
 
 file(GLOB folders LIST_DIRECTORIES true CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/chapters/ch[0-9][0-9]_*)

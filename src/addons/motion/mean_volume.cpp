@@ -14,6 +14,8 @@
 namespace signorini {
 namespace {
 
+using Eigen::Index;
+
 /// Components of the derivative of det F, of the block in the plane.
 Eigen::Vector4d cofactor(const Components& H) {
   return {1 + H(3), -H(2), -H(1), 1 + H(0)};
