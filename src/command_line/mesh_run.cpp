@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <ostream>
@@ -31,8 +32,10 @@ struct Way {
   std::string name;
   Index sides = 0;
   double length = 0;  // along the nodes
-  Eigen::Vector2d from = Eigen::Vector2d::Zero();
-  Eigen::Vector2d to = Eigen::Vector2d::Zero();
+  struct Part {
+    Eigen::Vector2d from, to;
+  };
+  std::vector<Part> parts = {};  // one after the other
 };
 
 Way way_of(const Mesh& mesh, const std::string& name, const Sides& sides) {
@@ -42,10 +45,26 @@ Way way_of(const Mesh& mesh, const std::string& name, const Sides& sides) {
     for (std::size_t k = 1; k < nodes.size(); ++k)
       way.length += (mesh.nodes.row(nodes[k]) - mesh.nodes.row(nodes[k - 1])).norm();
   }
-  if (sides.empty()) return way;
-  way.from = mesh.nodes.row(mesh.side_nodes(sides.front()).front());
-  way.to = mesh.nodes.row(mesh.side_nodes(sides.back()).back());
+  Index last = -1;
+  for (const CellSide& side : sides) {
+    const std::vector<Index> nodes = mesh.side_nodes(side);
+    if (nodes.front() != last) way.parts.push_back({mesh.nodes.row(nodes.front()), mesh.nodes.row(nodes.back())});
+    last = nodes.back();
+    way.parts.back().to = mesh.nodes.row(last);
+  }
   return way;
+}
+
+/// Where the parts of a way begin and end.
+std::string ends_of(const Way& way) {
+  constexpr std::size_t most = 3;
+  std::string all;
+  for (std::size_t k = 0; k < std::min(most, way.parts.size()); ++k) {
+    const auto& [from, to] = way.parts[k];
+    all += (k == 0 ? "" : "; ") +
+           (from == to ? "closed, from " + in_brackets(from) : in_brackets(from) + ", " + in_brackets(to));
+  }
+  return way.parts.size() > most ? text(all, "; ", way.parts.size() - most, " more") : all;
 }
 
 /// What is told of a mesh.
@@ -117,7 +136,7 @@ void print_ways(std::ostream& out, const Facts& facts) {
   row("boundary", "sides", "length", "from, to");
   for (const Way& way : facts.boundaries)
     row(way.name, std::to_string(way.sides), number(way.length, "%.6g"),
-        way.from == way.to ? "closed" : in_brackets(way.from) + ", " + in_brackets(way.to));
+        ends_of(way));
   if (facts.rest.sides > 0)
     row("none", std::to_string(facts.rest.sides), number(facts.rest.length, "%.6g"), "");
 }
@@ -171,8 +190,17 @@ void write_mesh(Json& json, const Mesh& mesh) {
   for (const Way& way : facts.boundaries) {
     json.object().key("name").value(way.name);
     write_way(json, way);
-    json.key("from").value(Eigen::VectorXd(way.from)).key("to").value(Eigen::VectorXd(way.to));
-    json.end();
+    const auto write_ends = [&](const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
+      json.key("from").value(Eigen::VectorXd(from)).key("to").value(Eigen::VectorXd(to));
+    };
+    write_ends(way.parts.front().from, way.parts.back().to);
+    json.key("parts").array();
+    for (const auto& [from, to] : way.parts) {
+      json.object();
+      write_ends(from, to);
+      json.end();
+    }
+    json.end().end();
   }
   json.end().key("regions").array();
   for (const auto& [name, cells] : mesh.regions)
@@ -195,7 +223,7 @@ MeshRun read_meshes(const std::string& file) {
   if (content.find("[[body]]") != std::string::npos) {
     for (Body& body : parse_scene(content, run.name, folder_of(file)).scene.bodies)
       run.meshes.push_back(std::move(body.mesh));
-  } else if (is_inp(content)) {
+  } else if (std::filesystem::path(file).extension() == ".inp" || is_inp(content)) {
     InpMeshes read = parse_inp(content, run.name);
     run.meshes = std::move(read.meshes);
     run.unread = std::move(read.unread);

@@ -94,13 +94,11 @@ std::filesystem::path folder_of(const std::string& file) {
 
 const char* command_for(const std::string& content) {
   TextReader reader(content, "");
-  if (!reader.next_line()) return "solve";
+  if (!reader.next_line()) return "";
   const std::string first(reader.word());
   if (first.find_first_not_of("0123456789") == std::string::npos)
     return first == "2" && reader.word_anywhere() != "0" ? "friction" : "lcp";
-  const std::string size(reader.word());
-  if (first != "n" || size.empty() || size.find_first_not_of("0123456789") != std::string::npos)
-    return "solve";
+  if (first != "n" || reader.word() == "=") return "solve";
   return reader.next_line() && reader.word() == "m" ? "qp" : "lcp";
 }
 

@@ -36,7 +36,7 @@ std::filesystem::path folder_of(const std::string& file);
 
 /// Which command a text was written for, as far as its first words tell.
 /// \param content  of a file
-/// \return "solve", "lcp", "friction" or "qp"
+/// \return "solve", "lcp", "friction" or "qp"; empty if there is nothing in it
 const char* command_for(const std::string& content);
 
 /// \param command  of the program
@@ -58,7 +58,8 @@ auto read_or_hint(const std::string& file, const std::string& content, const cha
     return read();
   } catch (const signorini::ProblemError& error) {
     const std::string wanted = command_for(content);
-    const bool same = wanted == command || (wanted == "solve" && std::string(command) == "plan");
+    const bool same = wanted.empty() || wanted == command ||
+                      (wanted == "solve" && std::string(command) == "plan");
     if (same) throw;
     throw signorini::ProblemError(signorini::text(file, ": this looks like a ", taken_by(wanted),
                                                   "; run: signorini ", wanted, " ",

@@ -190,6 +190,8 @@ TEST_CASE("a probe that says nothing, too much or a place that is not there is r
       told("[[probe]]\nat = [4.1, 1]\n"),
       ContainsSubstring("name:6: probe: the point (4.1, 1) is not in 'block': give one within its "
                         "mesh, such as the nearest node (4, 1)"));
+  CHECK_THAT(told("[[probe]]\nat = [4.000001, 1]\n"),
+             ContainsSubstring("the point (4.000001, 1) is not in"));
   CHECK_THAT(told("[[probe]]\nat = [40, 1]\n"), ContainsSubstring("is not in 'block'"));
   CHECK_THAT(told("[[probe]]\nname = \"a\"\n"), ContainsSubstring("expected one place, got 0"));
   CHECK_THAT(told("[[probe]]\nat = [1, 1]\nof = \"left\"\n"),

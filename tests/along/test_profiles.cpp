@@ -182,6 +182,8 @@ TEST_CASE("profiles come from a scene or from a file of points", "[profiles][sce
              ContainsSubstring("the points 1 and 2 are the same, (0, 0): leave one of them out"));
   CHECK_THAT(told("kind = \"spline\", points = [[0, 0], [1, 1], [0, 2], [0, 0]]"),
              ContainsSubstring("leave out the last point, or take a polyline"));
+  CHECK_THAT(told("kind = \"polyline\", points = [[0, 0], [3, 1], [-3, -1]]"),
+             ContainsSubstring("behind point 2, (3, 1), the profile goes back the way it came"));
   CHECK_THAT(told("kind = \"polyline\", file = \"flor.csv\""), ContainsSubstring("flor.csv"));
   std::ofstream(folder.path() / "bad.csv") << "1 2\n1 two\n";
   CHECK_THAT(told("kind = \"polyline\", file = \"bad.csv\""),

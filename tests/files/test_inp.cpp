@@ -183,6 +183,43 @@ TEST_CASE("a surface that names a set alone has the sides of it on the border", 
   CHECK(boundary(mesh, "rim").size() == 3);
 }
 
+TEST_CASE("the faces of a shell come before its sides, and edges are counted alone", "[mesh][inp]") {
+  const auto nodes = [](const std::string& type, const std::string& label) {
+    const std::string content = "*NODE\n1,0,0\n2,1,0\n3,1,1\n4,0,1\n*ELEMENT,TYPE=" + type +
+                                "\n1,1,2,3,4\n*SURFACE,NAME=s\n1," + label + "\n";
+    return boundary_nodes(parse_inp(content, "file").meshes.at(0), "s");
+  };
+  for (int side = 1; side <= 4; ++side) {
+    const std::vector<Index> wanted = {side - 1, side % 4};
+    for (const char* type : {"S4R", "M3D4", "CPS4"})
+      CHECK(nodes(type, text('E', side)) == wanted);
+    CHECK(nodes("S4", text('S', side + 2)) == wanted);
+    CHECK(nodes("M3D4", text('S', side + 2)) == wanted);
+    CHECK(nodes("CPE4R", text('s', side)) == wanted);
+  }
+  CHECK(problem_message([&] { static_cast<void>(nodes("S4", "S2")); }) ==
+        "file:8: surface 's': the element of line 7 has no side S2; of a shell, S1 and S2 are its "
+        "faces");
+}
+
+TEST_CASE("a surface of nodes may say how large they are", "[mesh][inp]") {
+  const auto foot = [](const std::string& lines) {
+    return boundary_nodes(
+        parse_inp(square + "*NSET,NSET=low\n1,2\n*SURFACE,TYPE=NODE,NAME=foot\n" + lines, "file")
+            .meshes.at(0),
+        "foot");
+  };
+  CHECK(foot("low,1.\n") == std::vector<Index>{0, 1});
+  CHECK(foot("1,0.5\n2,0.5\n") == std::vector<Index>{0, 1});
+}
+
+TEST_CASE("a long head of comments does not hide what a file is", "[mesh][inp]") {
+  std::string head;
+  for (int line = 0; line < 5000; ++line) head += "** a line of some length\n";
+  CHECK(is_inp(head + square));
+  CHECK_FALSE(is_inp(head));
+}
+
 TEST_CASE("what would change the mesh and is not read is refused by name", "[mesh][inp]") {
   CHECK(complaint("*INCLUDE, INPUT=a.inp\n") ==
         "file:1: *INCLUDE is not read: put that file in the place of this line");
@@ -217,7 +254,9 @@ TEST_CASE("lines that are wrong are named", "[mesh][inp]") {
   CHECK(complaint(square + "2,2,5,7,3\n") ==
         "file:10: the element refers to node 7, which no *NODE has");
   CHECK(complaint(square + "*SURFACE,NAME=s\n1,S5\n") ==
-        "file:11: expected a side S1, S2, S3 or S4, got 'S5'");
+        "file:10: surface 's': the element of line 9 has no side S5");
+  CHECK(complaint(square + "*SURFACE,NAME=s\n1,S7\n") ==
+        "file:11: expected a side S1 to S6 or an edge E1 to E4, got 'S7'");
   CHECK(complaint(square + "*ELEMENT,TYPE=CPS3,ELSET=b\n2,2,5,3\n*SURFACE,NAME=s\n2,S4\n") ==
         "file:12: surface 's': the element of line 11 has no side S4");
   CHECK(complaint(square + "*ELSET,ELSET=b\nnone\n") ==

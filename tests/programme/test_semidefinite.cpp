@@ -51,6 +51,26 @@ TEST_CASE("a direction that only an inequality ends is found its end", "[dense_p
     }
 }
 
+TEST_CASE("a K that only its rounding makes definite does not hide that the energy falls for ever",
+          "[dense_programme]") {
+  DenseProgramme programme;
+  programme.stiffness.resize(5, 5);
+  programme.stiffness << 6, -6, -5, 3, 4, -6, 8, 8, -2, -4, -5, 8, 9, -2, -2, 3, -2, -2, 5, -2, 4,
+      -4, -2, -2, 8;
+  programme.load = (VectorXd(5) << 3, 3, 1, 2, 0).finished();
+  programme.A = (Eigen::RowVectorXd(5) << 1, -1, -1, -1, 0).finished();
+  programme.initial_gap = VectorXd::Constant(1, -1);
+  programme.equations = 1;
+  const VectorXd falls = (VectorXd(5) << 2, 6, -4, 0, 1).finished();
+  REQUIRE((programme.stiffness * falls).isZero(0));
+  REQUIRE((programme.A * falls).isZero(0));
+  REQUIRE(programme.load.dot(falls) == 20);
+  for (const char* solver : {"quasi_active_set", "goldfarb_idnani"})
+    CHECK_THAT(
+        problem_message([&] { static_cast<void>(solve(programme, find_solver(solver))); }),
+        ContainsSubstring("the energy has no least value") && ContainsSubstring("unknown 2 grows"));
+}
+
 TEST_CASE("a linear programme is one whose K is nothing", "[dense_programme]") {
   // The most of 3 x + 2 y with x + y <= 4, x + 3 y <= 6, x <= 3, x >= 0 and y >= 0: 11 at (3, 1).
   DenseProgramme programme;

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/table.hpp"
 #include "signorini/fem/cells.hpp"
 
 namespace signorini {
@@ -43,9 +44,10 @@ bool invert(const Element& element, const CellNodes& arms, Vector2d& local) {
 [[noreturn]] void refuse(const Mesh& mesh, const Vector2d& point) {
   Index nearest = 0;
   (mesh.nodes.rowwise() - point.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
-  throw ProblemError(text("the point (", point.x(), ", ", point.y(), ") is not in '", mesh.name,
-                          "': give one within its mesh, such as the nearest node (",
-                          mesh.nodes(nearest, 0), ", ", mesh.nodes(nearest, 1), ')'));
+  const auto place = [](const auto& x) { return text('(', shortest(x(0)), ", ", shortest(x(1)), ')'); };
+  throw ProblemError(text("the point ", place(point), " is not in '", mesh.name,
+                          "': give one within its mesh, such as the nearest node ",
+                          place(mesh.nodes.row(nearest))));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "signorini/core/errors.hpp"
 #include "signorini/core/plane.hpp"
+#include "signorini/core/rounding.hpp"
 
 namespace signorini {
 namespace {
@@ -48,6 +49,9 @@ class Chords {
       const Vector2d way = points_.row(k + 1) - points_.row(k);
       length_.push_back(way.norm());
       normal_.push_back(left_of(way).stableNormalized());
+      const bool back = k > 0 && (normal(k) + normal(k - 1)).norm() <= 4 * epsilon;
+      require_input(!back, "obstacle: behind point ", k + 1, ", (", from(k).x(), ", ", from(k).y(),
+                    "), the profile goes back the way it came, and neither side of it is free");
     }
   }
 

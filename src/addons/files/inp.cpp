@@ -158,7 +158,7 @@ InpMeshes read_inp(const std::filesystem::path& file, const std::vector<std::str
 }
 
 bool is_inp(std::string_view content) {
-  InpText in(content.substr(0, 1 << 16), "");
+  InpText in(content, "");
   try {
     return in.next() && !in.keyword().empty() && in.keyword() != "KEYWORD";
   } catch (const ProblemError&) {

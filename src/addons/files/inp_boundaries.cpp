@@ -82,15 +82,18 @@ class BoundaryMaker {
         for (const std::size_t cell : cells) {
           if (cell >= file_.in.cells.size() || file_.body_of[cell] == InpFile::none) continue;
           const GmshElement& one = file_.in.cells[cell];
-          const auto corners = static_cast<int>(one.corners);
-          require_input(entry.side < corners, file_.in.name, ":", surface.line, ": surface '",
-                        surface.name, "': the element of line ", one.line, " has no side S",
-                        entry.side + 1);
-          for (int side = std::max(0, entry.side); side < corners; ++side) {
-            const GmshElement line = side_of(one, static_cast<std::size_t>(side));
+          const bool all = entry.side == 0;
+          const int first = entry.edge ? 1 : file_.in.first_sides[cell];
+          const auto end = first + static_cast<int>(one.corners);
+          require_input(all || (entry.side >= first && entry.side < end), file_.in.name, ":",
+                        surface.line, ": surface '", surface.name, "': the element of line ",
+                        one.line, " has no side ", entry.edge ? 'E' : 'S', entry.side,
+                        first > 1 ? "; of a shell, S1 and S2 are its faces" : "");
+          for (int side = all ? first : entry.side; side < end; ++side) {
+            const GmshElement line = side_of(one, static_cast<std::size_t>(side - first));
             const bool added = add_line(line.nodes[0], line.nodes[1], *group, surface.line);
-            within = within || (!added && entry.side >= 0);
-            if (entry.side >= 0) break;
+            within = within || (!added && !all);
+            if (!all) break;
           }
         }
       }

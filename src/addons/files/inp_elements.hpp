@@ -12,6 +12,7 @@ namespace signorini {
 struct InpElementType {
   std::size_t corners = 0;  ///< 2 of a line; 0: it is not read
   std::size_t nodes = 0;    ///< of a line 0: two or three, as many as stand on the line of the file
+  int first_side = 1;       ///< number behind S of its first side; 3 of a shell, whose two faces come first
 };
 
 /// \param name  of a type in capital letters, such as CPS4R

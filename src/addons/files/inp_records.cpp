@@ -124,6 +124,7 @@ class Reader {
     std::copy(numbers_.begin() + 1, numbers_.end(), element.nodes.begin());
     (read_as_.corners == 2 ? out_.lines : out_.cells).push_back(element);
     (read_as_.corners == 2 ? out_.line_numbers : out_.cell_numbers).push_back(numbers_[0]);
+    if (read_as_.corners > 2) out_.first_sides.push_back(read_as_.first_side);
     if (set != nullptr) set->entries.push_back({numbers_[0], numbers_[0]});
     numbers_.clear();
   }
@@ -174,7 +175,12 @@ class Reader {
 
   void begin_surface() {
     const std::string type = in_.has("TYPE") ? inp_key(in_.value("TYPE")) : "ELEMENT";
-    if (type == "NODE") return begin_set(out_.node_sets, "NAME", "node");
+    if (type == "NODE") {
+      begin_set(out_.node_sets, "NAME", "node");
+      // Behind the comma stands the area of a node.
+      data_ = [read = std::move(data_)](const Fields& fields) { read({fields.front()}); };
+      return;
+    }
     if (type != "ELEMENT") {
       out_.unread.emplace("*SURFACE, TYPE=" + type, in_.line());
       return;
@@ -184,9 +190,11 @@ class Reader {
       InpEntry all = entry(out_.element_sets, fields[0], "element");
       const std::string side = fields.size() > 1 ? inp_key(fields[1]) : "";
       if (!side.empty()) {
-        if (side.size() != 2 || side[0] != 'S' || side[1] < '1' || side[1] > '4')
-          in_.fail("a side S1, S2, S3 or S4", fields[1]);
-        all.side = side[1] - '1';
+        all.edge = side[0] == 'E';
+        if (side.size() != 2 || (side[0] != 'S' && !all.edge) || side[1] < '1' ||
+            side[1] > (all.edge ? '4' : '6'))
+          in_.fail("a side S1 to S6 or an edge E1 to E4", fields[1]);
+        all.side = side[1] - '0';
       }
       surface.entries.push_back(all);
     };

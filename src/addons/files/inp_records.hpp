@@ -19,7 +19,8 @@ struct InpEntry {
   std::int64_t last = 0;   ///< and that up to which the entry goes
   std::int64_t step = 1;  ///< from one to the next
   std::string set = {};   ///< key of another set that is defined before; empty: numbers
-  int side = -1;          ///< of elements, from 0; -1: all sides that lie on the border
+  int side = 0;           ///< number behind S or E; 0: all sides of elements that lie on the border
+  bool edge = false;      ///< E: the faces of shells are not counted
 };
 
 /// A set of nodes or of elements, or a surface.
@@ -38,6 +39,7 @@ struct InpRecords {
   std::vector<GmshNode> nodes;             ///< in the order of the file
   std::vector<GmshElement> cells;          ///< plane elements; `nodes` are the numbers of the file
   std::vector<std::int64_t> cell_numbers;  ///< of the file
+  std::vector<int> first_sides;            ///< of cells, see InpElementType
   std::vector<GmshElement> lines;          ///< elements of two or three nodes, alike
   std::vector<std::int64_t> line_numbers;  ///< of the file
   InpSets element_sets;               ///< and the sets that elements are put into where they stand

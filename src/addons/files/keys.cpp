@@ -29,9 +29,10 @@ std::enable_if_t<std::is_arithmetic_v<Number>> read_as(const Value& value, Numbe
                                                        Bound bound) {
   constexpr double largest = 1e9;  // whole number
   if (value.kind != Value::Kind::Number || !fits(value.number, bound) ||
-      (std::is_integral_v<Number> &&
-       (value.number != std::floor(value.number) || std::abs(value.number) > largest)))
+      (std::is_integral_v<Number> && value.number != std::floor(value.number)))
     wrong_type(value, Plain<Number>::type_name(bound));
+  if (std::is_integral_v<Number> && std::abs(value.number) > largest)
+    value.fail("expected at most ", largest, ", got ", value.shown());
   into = static_cast<Number>(value.number);
 }
 

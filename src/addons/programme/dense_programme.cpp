@@ -211,18 +211,18 @@ DenseSolution solve(const DenseProgramme& programme, const Solver& solver,
     solution = by_proximal_points(programme, solver, options);
   }
   if (solution.report.status != SolveStatus::Breakdown) return solution;
+  std::optional<DenseSolution> other;
   try {
-    auto other = separate_solution(programme, solver, options);
-    // K may be definite by its rounding alone.
-    if (!other && definite && method != nullptr)
-      other = by_proximal_points(programme, solver, options);
-    if (!other || !other->certificate.holds()) return solution;
-    append(solution.report, other->report);
-    other->report = std::move(solution.report);
-    return std::move(*other);
+    other = separate_solution(programme, solver, options);
   } catch (const ProblemError&) {  // its numbers would be those of a system
   }
-  return solution;
+  // K may be definite by its rounding alone.
+  if (!other && definite && method != nullptr)
+    other = by_proximal_points(programme, solver, options);
+  if (!other || !other->certificate.holds()) return solution;
+  append(solution.report, other->report);
+  other->report = std::move(solution.report);
+  return std::move(*other);
 }
 
 bool proves_infeasible(const DenseProgramme& programme, const VectorXd& y, const VectorXd& u) {

@@ -40,11 +40,11 @@ VectorXd of_frictional(const ContactState& contact, const VectorXd& values, doub
   return of_frictional(contact, values, VectorXd::Constant(contact.force.size(), other));
 }
 
-// Words between commas: quoted if they have commas or quotes of their own.
+// Words between commas: quoted if they have commas or quotes of their own, or what begins a comment.
 // Names of contacts are the user's, and may have commas in them. A quote within a word is written
 // twice, as spreadsheets expect it.
 std::string csv_word(const std::string& word) {
-  if (word.find_first_of(",\"\n\r") == std::string::npos) return word;
+  if (word.find_first_of("#,\"\n\r") == std::string::npos) return word;
   std::string quoted = "\"";
   for (const char c : word) quoted += c == '"' ? "\"\"" : std::string(1, c);
   return quoted + '"';

@@ -56,7 +56,8 @@ void add_pairs(const Model& model, const Solution& solution,
     Resultants& sum = sum_of(pair);
     add_force(pairs, pair, 0, contact.force(pair), axial, sum);
     sum.normal_force += contact.force(pair);
-    sum.peak_pressure = std::max(sum.peak_pressure, solution.pressure(pair));
+    const double pressure = solution.pressure(pair);  // of a tie that is torn all are negative
+    sum.peak_pressure = sum.pairs == 0 ? pressure : std::max(sum.peak_pressure, pressure);
     ++sum.pairs;
   }
   const Eigen::VectorXd lost = dissipated(contact);
