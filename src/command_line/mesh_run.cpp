@@ -166,6 +166,22 @@ void write_way(Json& json, const Way& way) {
   json.key("sides").value(way.sides).key("length").value(way.length);
 }
 
+void write_ends(Json& json, const Way::Part& part) {
+  json.key("from").value(Eigen::VectorXd(part.from)).key("to").value(Eigen::VectorXd(part.to));
+}
+
+void write_boundary(Json& json, const Way& way) {
+  json.object().key("name").value(way.name);
+  write_way(json, way);
+  if (!way.parts.empty()) write_ends(json, {way.parts.front().from, way.parts.back().to});
+  json.key("parts").array();
+  for (const Way::Part& part : way.parts) {
+    write_ends(json.object(), part);
+    json.end();
+  }
+  json.end().end();
+}
+
 void write_mesh(Json& json, const Mesh& mesh) {
   const Facts facts = facts_of(mesh);
   json.object().key("name").value(mesh.name).key("nodes").value(mesh.n_nodes());
@@ -187,21 +203,7 @@ void write_mesh(Json& json, const Mesh& mesh) {
     json.key("problem").value(facts.problem);
   }
   json.key("boundaries").array();
-  for (const Way& way : facts.boundaries) {
-    json.object().key("name").value(way.name);
-    write_way(json, way);
-    const auto write_ends = [&](const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
-      json.key("from").value(Eigen::VectorXd(from)).key("to").value(Eigen::VectorXd(to));
-    };
-    write_ends(way.parts.front().from, way.parts.back().to);
-    json.key("parts").array();
-    for (const auto& [from, to] : way.parts) {
-      json.object();
-      write_ends(from, to);
-      json.end();
-    }
-    json.end().end();
-  }
+  for (const Way& way : facts.boundaries) write_boundary(json, way);
   json.end().key("regions").array();
   for (const auto& [name, cells] : mesh.regions)
     json.object()
