@@ -206,6 +206,18 @@ TEST_CASE("pressure around a closed boundary has no resultant and is meant", "[w
   CHECK(tells(plan(scene).notes, {"load on 'inner' of", "zero everywhere"}));
 }
 
+TEST_CASE("what lies on the axis has no area to be pressed on", "[warnings]") {
+  Scene scene = cantilever("q4", 4, 2);
+  Body& body = scene.bodies[0];
+  body.material.state = PlaneState::Axial;
+  body.supports = {prescribed_at("bottom", {0, 0}, Axis::Y)};
+  scene.contacts.clear();
+  body.loads.edges = {{"left", 1, {}}};
+  CHECK(tells(plan(scene).notes, {"load on 'left' of", "does nothing: it lies on the axis"}));
+  body.loads.edges = {{"right", 1, {}}};
+  CHECK(plan(scene).notes.empty());
+}
+
 TEST_CASE("contacts that share sides are one contact twice, those that share a node are not",
           "[warnings]") {
   Scene scene = cantilever("q4_incompatible", 20, 2);

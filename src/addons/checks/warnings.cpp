@@ -100,11 +100,20 @@ bool is_closed(const Mesh& mesh, const std::string& name) {
   return mesh.side_nodes(sides.front()).front() == mesh.side_nodes(sides.back()).back();
 }
 
+/// Whether a boundary has no area: in axial symmetry what lies on the axis.
+bool has_no_area(const Mesh& mesh, const std::string& name, const Depth& depth) {
+  const std::vector<Index> nodes = boundary_nodes(mesh, name);
+  return std::all_of(nodes.begin(), nodes.end(),
+                     [&](Index node) { return depth.part(mesh.nodes(node, 0)) == 0; });
+}
+
 void note_edge_load(const Mesh& mesh, const EdgeLoad& load, const Depth& depth, Notes& notes) {
   const std::string what = text("load on '", load.boundary, "' of '", mesh.name, "'");
   const Resultant sum = load.traction ? resultant(mesh, load, depth) : Resultant{};
   constexpr double cancelled = 1e-6;
-  if (load.pressure == 0 && sum.all_forces == 0)
+  if (has_no_area(mesh, load.boundary, depth))
+    notes.push_back(what + " does nothing: it lies on the axis, and has no area");
+  else if (load.pressure == 0 && sum.all_forces == 0)
     notes.push_back(what + " is zero everywhere and does nothing");
   else if (sum.all_forces > 0 && sum.force.norm() <= cancelled * sum.all_forces &&
            std::abs(sum.moment) <= cancelled * sum.all_moments && !is_closed(mesh, load.boundary))
