@@ -102,9 +102,10 @@ bool is_closed(const Mesh& mesh, const std::string& name) {
 
 /// Whether a boundary has no area: in axial symmetry what lies on the axis.
 bool has_no_area(const Mesh& mesh, const std::string& name, const Depth& depth) {
+  if (!depth.axial) return false;
   const std::vector<Index> nodes = boundary_nodes(mesh, name);
   return std::all_of(nodes.begin(), nodes.end(),
-                     [&](Index node) { return depth.part(mesh.nodes(node, 0)) == 0; });
+                     [&](Index node) { return mesh.nodes(node, 0) == 0; });
 }
 
 void note_edge_load(const Mesh& mesh, const EdgeLoad& load, const Depth& depth, Notes& notes) {
