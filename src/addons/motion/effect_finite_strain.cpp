@@ -20,7 +20,7 @@ const char* name_of(const StrainLaw* law) { return law == nullptr ? "small" : la
 /// A cell of small strain in a body that turns would be wrong. A cell with a law in a body of small strain would be of no use.
 void check_layers(const Body& body) {
   for (const Layer& layer : body.layers)
-    require_input((layer.material.law != nullptr) == has_law(body), "layer '", layer.region,
+    require_input((layer.material.law != nullptr) == (body.material.law != nullptr), "layer '", layer.region,
                   "' of '", body.mesh.name, "': it has the law ", name_of(layer.material.law),
                   ", but its body ", name_of(body.material.law),
                   "; either all of a body has laws of finite strain, or nothing of it");
@@ -39,7 +39,7 @@ void check_element(const Body& body, const BodyModel& planned) {
 void declare_finite_strain(const Scene& scene, Plan& draft) {
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     check_layers(scene.bodies[b]);
-    if (!has_law(scene.bodies[b])) continue;
+    if (scene.bodies[b].material.law == nullptr) continue;
     check_element(scene.bodies[b], draft.bodies[b]);
     draft.on.push_back(text("finite strain of '", draft.bodies[b].mesh.name, "': ",
                             scene.bodies[b].material.law->name,

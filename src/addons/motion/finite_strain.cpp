@@ -44,14 +44,6 @@ void write_map(const StrainMatrix& B, GradientMap& G) {
   }
 }
 
-void require_upright(const Cell& cell, double J) {
-  if (J > 0) return;
-  const Eigen::Vector2d x = cell.body.middle;
-  throw ProblemError(text("cell ", cell.number, " of '", cell.mesh.name, "', at (", x.x(), ", ",
-                          x.y(), ") before it moved, inverts: take shorter steps, or a ",
-                          "finer mesh there"));
-}
-
 /// Finds the strain across that leaves no stress there, and takes it out of the tangent.
 void release_across(HyperelasticLaw law, const Cell& cell, const Lame& lame, Components& H,
                     StressResponse& response) {
@@ -76,12 +68,10 @@ void release_across(HyperelasticLaw law, const Cell& cell, const Lame& lame, Com
 }
 
 Eigen::Vector4d true_stress(const Components& H, const Components& P) {
-  Eigen::Matrix2d F;
-  F << 1 + H(0), H(1), H(2), 1 + H(3);
-  Eigen::Matrix2d piola;
-  piola << P(0), P(1), P(2), P(3);
+  using InPlane = Eigen::Map<const Eigen::Matrix<double, 2, 2, Eigen::RowMajor>>;
+  const Eigen::Matrix2d F = InPlane(H.data()) + Eigen::Matrix2d::Identity();
   const double area = 1 + area_change(H);
-  const Eigen::Matrix2d stress = piola * F.transpose() / (area * (1 + H(4)));
+  const Eigen::Matrix2d stress = InPlane(P.data()) * F.transpose() / (area * (1 + H(4)));
   return {stress(0, 0), stress(1, 1), (stress(0, 1) + stress(1, 0)) / 2, P(4) / area};
 }
 
@@ -95,7 +85,9 @@ void sample(const Cell& cell, const CellVector& displacement, std::vector<CellPl
     at.volume = points.point[q].volume;
     write_map(points.point[q].B, at.G);
     at.H = at.G * displacement;
-    require_upright(cell, std::min(1 + area_change(at.H), 1 + at.H(4)));
+    require_input(std::min(1 + area_change(at.H), 1 + at.H(4)) > 0, "cell ", cell.number, " of '",
+                  cell.mesh.name, "', at (", cell.body.middle.x(), ", ", cell.body.middle.y(),
+                  ") before it moved, inverts: take shorter steps, or a finer mesh there");
   }
 }
 

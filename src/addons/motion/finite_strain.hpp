@@ -33,6 +33,12 @@ using HyperelasticLaw = void (*)(const Lame& lame, const Components& H, StressRe
   return H(0) + H(3) + (H(0) * H(3) - H(1) * H(2));
 }
 
+/// \param H  a displacement gradient
+/// \return F = 1 + H
+[[nodiscard]] inline Components deformation(const Components& H) {
+  return H + (Components() << 1, 0, 0, 1, 1).finished();
+}
+
 /// Forces, tangent, true stress and energy of a cell, total Lagrangian: all integrals are over the cell before strain, at the
 /// strain points of its element. In plane stress the strain across is that without stress there. Where the element has the
 /// change of volume averaged, the gradient in the plane is scaled by \f$ (\bar J/J)^{1/2} \f$, \f$ \bar J \f$ the mean of J.
@@ -51,6 +57,18 @@ void finite_answer(HyperelasticLaw law, const Cell& cell, const CellVector& disp
 /// \throws ProblemError as finite_answer()
 [[nodiscard]] double finite_stability(HyperelasticLaw law, const Cell& cell,
                                       const CellVector& displacement);
+
+/// A member of the family. \param name  of it \param help  what it is for \return the law
+template <HyperelasticLaw law>
+StrainLaw hyperelastic(const char* name, const char* help) {
+  return {name, help,
+          [](const Cell& cell, const CellVector& displacement, CellAnswer& answer) {
+            finite_answer(law, cell, displacement, answer);
+          },
+          [](const Cell& cell, const CellVector& displacement) {
+            return finite_stability(law, cell, displacement);
+          }};
+}
 
 /// \f$ W = \tfrac\lambda2 (\mathrm{tr} E)^2 + \mu\, E : E \f$ with Green's strain E. It gives way in compression: a bar loses
 /// all resistance at a stretch of 0.577.

@@ -4,9 +4,16 @@
 // the compliance of the rows of its pairs. Under finite strain K is the tangent of the place, and is factored. How contact forces turn is
 // on the right in both, see [corrected_solve.cpp](corrected_solve.cpp).
 //
-// A tangent may be indefinite in a body that is stable,
-// see [held_by_pairs.cpp](held_by_pairs.cpp), and where contact has not begun to hold a body nothing makes it definite. So
-// there is a ladder. Each rung changes how the way is found, and none where the loop ends:
+// A tangent may be indefinite in a body that is stable. A block of rubber between rough plates is stable when it is pressed to half of
+// its height. Its tangent is not positive definite from a sixth on: without the plates it would buckle, and the tangent does not know
+// of the plates. Their hold is in the rows of contact. So it is put into K, where the factor sees it:
+// \f[ K + \rho A_c^T A_c, \qquad p + \rho A_c^T g_c \f]
+// with the rows c of pairs that press. If they do hold, \f$ A_c u = g_c \f$, both sides of \f$ Ku = p - A^T\lambda \f$ have got
+// the same, and neither u nor \f$ \lambda \f$ is another. By hand: K = -1, one row A = 1, g = 0 and p = 2 have u = 0 and the
+// force 2. With \f$ \rho = 3 \f$ the matrix is 2, positive, and u = 0 with the force 2 solves that too.
+//
+// Where contact has not begun to hold a body nothing makes it definite. So there is a ladder. Each rung changes how the way is found,
+// and none where the loop ends:
 //
 // 1. closed pairs hold, ever more stiffly;
 // 2. springs hold every unknown where it is, ever more stiffly. Weak ones only let the matrix have a factor. Like contact forces that turn
@@ -22,8 +29,10 @@
 #include <optional>
 #include <utility>
 
-#include "addons/motion/held_by_pairs.hpp"
+#include "addons/motion/swapped.hpp"
+#include "signorini/contact/gaps.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/core/index.hpp"
 #include "signorini/fem/strain_law.hpp"
 #include "signorini/scene/scene.hpp"
 
@@ -51,29 +60,14 @@ struct Tangent {
   double mean;  ///< stiffness
 };
 
-/// K and p of a place, and the rigid motions, which are those of K before strain: they are aside while rungs are tried.
-class Aside {
- public:
-  explicit Aside(Model& model)
-      : tangent{{}, model.programme.load, model.programme.stiffness.diagonal().cwiseAbs().mean()},
-        model_(model) {
-    tangent.stiffness.swap(model.programme.stiffness);
-    modes_.swap(model.modes);
-  }
-  ~Aside() {
-    tangent.stiffness.swap(model_.programme.stiffness);
-    tangent.load.swap(model_.programme.load);
-    modes_.swap(model_.modes);
-  }
-  Aside(const Aside&) = delete;
-  Aside& operator=(const Aside&) = delete;
-
-  Tangent tangent;
-
- private:
-  Model& model_;
-  std::vector<FreeMotion> modes_;
-};
+/// Makes \f$ \rho A_c^T A_c \f$, which belongs to K, and adds \f$ \rho A_c^T g_c \f$ to p. Where one of the rows c is about to open it resists
+/// a little, as a spring that is at rest where it holds.
+Eigen::SparseMatrix<double> hold_by_pairs(const std::vector<Index>& rows, double stiffness,
+                                          QuadraticProgramme& programme) {
+  const NodalRows held = selected_rows(programme.A, rows);
+  programme.load += stiffness * (held.transpose() * programme.initial_gap(rows));
+  return stiffness * (held.transpose() * held);
+}
 
 /// What turning contact forces, and weak springs, lack. While supports are on their way nothing turns yet, and springs shorten the way.
 TurnedForces lacking(const TangentProblem& problem, std::size_t rung, double spring) {
@@ -147,8 +141,15 @@ Solution solve_with_one_factor(Model& model, VectorXd free, const TurnedForces& 
 }
 
 Solution solve_with_tangent(const TangentProblem& problem, Condensed& condensed, Ledger ledger) {
-  const Aside aside(problem.model);
-  const Tangent& tangent = aside.tangent;
+  Model& model = problem.model;
+  QuadraticProgramme& programme = model.programme;
+  Tangent tangent{{}, programme.load, programme.stiffness.diagonal().cwiseAbs().mean()};
+  std::vector<FreeMotion> modes;  // of K before strain
+  const Swapped aside([&] {
+    tangent.stiffness.swap(programme.stiffness);
+    tangent.load.swap(programme.load);
+    modes.swap(model.modes);
+  });
   std::optional<Solution> solution;
   for (std::size_t k = problem.rung < weak_springs ? problem.rung : 0; k < ladder.size(); ++k) {
     std::optional<Corrected> next = try_rung(k, tangent, problem, condensed, ledger);
@@ -161,10 +162,21 @@ Solution solve_with_tangent(const TangentProblem& problem, Condensed& condensed,
   if (!solution) {
     solution.emplace();
     solution->contact.report.status = SolveStatus::Breakdown;
-    solution->contact.reason = why_indefinite(problem.model, ladder.size());
+    solution->contact.reason = why_indefinite(model, ladder.size());
   }
   solution->ledger = std::move(ledger);
   return *std::move(solution);
+}
+
+std::vector<Index> held_rows(const std::vector<ContactStatus>& statuses, const FrictionLaw& law) {
+  std::vector<Index> rows;
+  const Index pairs = static_cast<Index>(statuses.size());
+  for (Index pair = 0; pair < pairs; ++pair)
+    if (statuses[at(pair)] != ContactStatus::Open) rows.push_back(pair);
+  for (std::size_t k = 0; k < law.pair.size(); ++k)
+    if (statuses[at(law.pair[k])] == ContactStatus::Stick)
+      rows.push_back(pairs + static_cast<Index>(k));
+  return rows;
 }
 
 std::string why_indefinite(const Model& model, std::size_t rung) {

@@ -10,6 +10,13 @@
 
 namespace signorini {
 
+/// The rows that hold: gaps of closed pairs, and slips of those of them that stick.
+/// \param statuses  `n_c` what the pairs do
+/// \param law       of the frictional pairs
+/// \return rows of A, increasing
+[[nodiscard]] std::vector<Eigen::Index> held_rows(const std::vector<ContactStatus>& statuses,
+                                                  const FrictionLaw& law);
+
 /// Solves the linear problem of a model whose K does not change: with the factor that `condensed` has.
 /// \param model      placed, with p of the iteration, which it keeps
 /// \param free       K^-1 p `n` [length]

@@ -90,19 +90,18 @@ void LinearisedModel::move(const Displaced& there, Ledger& ledger) {
 Displaced LinearisedModel::ahead(const PrimalDual& way, double share) const {
   Displaced there = at_;
   const Unknowns& unknowns = model_.unknowns;
+  const NodeArray left = left_to_give(unknowns, at_);
   for (Index node = 0; node < there.high.rows(); ++node)
     for (const Index axis : {0, 1}) {
       const Index k = unknowns.number(node, axis);
       double& high = there.high(node, axis);
       double& low = there.low(node, axis);
-      if (k >= 0) {
-        add_to(high, low, share * way.displacement(k));
-        if (way.displacement_low.size() > 0) add_to(high, low, share * way.displacement_low(k));
-      } else if (share == 1) {
+      add_to(high, low, share * (k >= 0 ? way.displacement(k) : left(node, axis)));
+      if (k >= 0 && way.displacement_low.size() > 0)
+        add_to(high, low, share * way.displacement_low(k));
+      if (k < 0 && share == 1) {
         high = unknowns.held(node, axis);
         low = 0;
-      } else {
-        add_to(high, low, share * ((unknowns.held(node, axis) - high) - low));
       }
     }
   return there;

@@ -40,11 +40,6 @@ double volume_change(const CellPlace& at, bool across, CellVector& first, CellMa
   return area_change(at.H) * F33 + H33;
 }
 
-/// F of the plane block, as components.
-Components deformation(const Components& H) {
-  return H + (Components() << 1, 0, 0, 1, 0).finished();
-}
-
 }  // namespace
 
 /// ln r = (ln of the mean of J - ln J) / 2.
@@ -82,7 +77,7 @@ void scale_gradient(const MeanVolume& mean, std::size_t q, CellPlace& at) {
 void scale_map(const MeanVolume& mean, std::size_t q, const Components& piola, CellPlace& at,
                CellMatrix& tangent) {
   Components F = deformation(at.H);  // that is scaled already
-  F(4) = 0;
+  F(4) = 0;  // which is not averaged
   const CellVector& g = mean.gradient[q];
   at.G.topRows<4>() *= std::exp(mean.log[q]);
   const CellVector pushed = at.G.topRows<4>().transpose() * piola.head<4>();

@@ -17,6 +17,7 @@
 #include <memory>
 #include <string>
 
+#include "addons/motion/swapped.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/effects.hpp"
 
@@ -25,40 +26,12 @@ namespace {
 
 using Eigen::Index;
 
-/// Bodies that stand elsewhere as long as this lives, for a draft; their model gets them back as they were.
-class BodiesThere {
- public:
-  BodiesThere(Model& model, const NodeArray& places, Plan& draft) : model_(model), draft_(draft) {
-    draft.bodies.swap(model.bodies);
-    for (BodyModel& body : draft.bodies) {
-      NodeArray there = places.middleRows(body.first_node, body.mesh.n_nodes());
-      body.mesh.nodes.swap(there);
-      still_.push_back(std::move(there));
-    }
-  }
-  ~BodiesThere() {
-    for (std::size_t b = 0; b < still_.size(); ++b) draft_.bodies[b].mesh.nodes.swap(still_[b]);
-    draft_.bodies.swap(model_.bodies);
-  }
-  BodiesThere(const BodiesThere&) = delete;
-  BodiesThere& operator=(const BodiesThere&) = delete;
-  BodiesThere(BodiesThere&&) = delete;
-  BodiesThere& operator=(BodiesThere&&) = delete;
-
- private:
-  Model& model_;
-  Plan& draft_;
-  std::vector<NodeArray> still_;
-};
-
 NodeArray nodes_of(const std::vector<BodyModel>& bodies) {
   NodeArray nodes(count_nodes(bodies), 2);
   for (const BodyModel& body : bodies)
     nodes.middleRows(body.first_node, body.mesh.n_nodes()) = body.mesh.nodes;
   return nodes;
 }
-
-Eigen::Map<const Eigen::VectorXd> flat(const NodeArray& all) { return {all.data(), all.size()}; }
 
 /// X + u rounded, and what that lacks.
 struct Places {
@@ -108,6 +81,17 @@ NodeArray moved_since(const Scene& scene, const Displaced& before, const Displac
   return moved.rounded + (moved.rest - rest);
 }
 
+/// Exchanges bodies for themselves where they stand, which a draft has as long as they are there.
+auto in_place_of(std::vector<BodyModel>& bodies, const NodeArray& places,
+                 std::vector<BodyModel>& there) {
+  for (const BodyModel& body : bodies)
+    there.emplace_back().mesh.nodes = places.middleRows(body.first_node, body.mesh.n_nodes());
+  return [&] {
+    for (std::size_t b = 0; b < bodies.size(); ++b) bodies[b].mesh.nodes.swap(there[b].mesh.nodes);
+    bodies.swap(there);
+  };
+}
+
 /// What supports still have to move, from the rounded places.
 Unknowns from_there(Unknowns unknowns, const Displaced& u, const NodeArray& rest) {
   unknowns.held = (unknowns.number < 0).select(((unknowns.held - u.high) - u.low) + rest, 0);
@@ -145,7 +129,7 @@ void place_bodies(const Scene& scene, const Displaced& displacement, const Displ
   // A rigid obstacle stands still: what a node has moved since the last step is its slip.
   draft.fits = {[&standing = *standing](const ContactSpec& /*contact*/, Pairs& pairs) {
     if (pairs.slid.size() == 0 && pairs.sliding.nonZeros() > 0)
-      pairs.slid = pairs.sliding * flat(standing.since);
+      pairs.slid = pairs.sliding * standing.since.reshaped<Eigen::RowMajor>();
     return std::string();
   }};
   draft.unknowns = from_there(model.unknowns, displacement, now.rest);
@@ -153,7 +137,7 @@ void place_bodies(const Scene& scene, const Displaced& displacement, const Displ
   draft.gaps.pairs.opening.resize(0, still.size());
   draft.gaps.pairs.sliding.resize(0, still.size());
   {
-    const BodiesThere there(model, now.rounded, draft);
+    const Swapped there(in_place_of(model.bodies, now.rounded, draft.bodies));
     for (const Effect* effect : model.effects)
       if (effect->of_pairs) effect->declare(scene, draft);
   }

@@ -35,17 +35,13 @@ std::shared_ptr<const Scene> contacts_of(const Scene& scene) {
   auto some = std::make_shared<Scene>();
   some->contacts = scene.contacts;
   some->solver = scene.solver;
-  some->bodies.clear();
-  for (const Body& body : scene.bodies) {
-    some->bodies.emplace_back();
-    some->bodies.back().supports = body.supports;
-  }
+  some->bodies.resize(scene.bodies.size());
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+    some->bodies[b].supports = scene.bodies[b].supports;
   return some;
 }
 
 }  // namespace
-
-bool has_law(const Body& body) { return body.material.law != nullptr; }
 
 void move_pairs(const Scene& scene, Plan& draft) {
   require_input(scene.path.has_value(),

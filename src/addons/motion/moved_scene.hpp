@@ -12,7 +12,4 @@ namespace signorini {
 /// \throws ProblemError if there are no load steps, or a contact cannot be found where bodies have moved to
 void move_pairs(const Scene& scene, Plan& draft);
 
-/// \param body  of a scene \return whether its strains are not small
-[[nodiscard]] bool has_law(const Body& body);
-
 }  // namespace signorini

@@ -18,7 +18,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "addons/motion/held_by_pairs.hpp"
 #include "addons/motion/linear_problem.hpp"
 #include "addons/motion/linearised_model.hpp"
 #include "addons/motion/moved_pairs.hpp"
@@ -42,12 +41,6 @@ constexpr int most_iterations = 60;
 /// are then about equal.
 constexpr double root_of_rounding = 1e-8;
 
-/// The problem that an iteration has solved.
-struct Linearised {
-  std::vector<PairName> names;
-  FrictionLaw law;
-};
-
 /// A step while it is solved.
 struct Moving {
   const Displaced& before;
@@ -65,7 +58,8 @@ struct Moving {
   [[nodiscard]] TurnedForces turned_forces() const;
   Solution linear_problem();
   bool goes_to(const Solution& solution);
-  [[nodiscard]] bool holds_here(Solution& solution, const Linearised& solved) const;
+  [[nodiscard]] bool holds_here(Solution& solution, const std::vector<PairName>& names,
+                                const std::vector<Index>& rubbing) const;
   void hand_on(const std::vector<PairName>& names, const std::vector<ContactStatus>& statuses);
   void begin(const VectorXd& expected);
   bool ends(Solution& solution);
@@ -122,9 +116,10 @@ void read_movements(const VectorXd& movement, ContactState& contact) {
       contact.slip(k) = movement(pairs + k);
 }
 
-/// Whether what was solved holds of the equations that are found where it leads to.
-bool Moving::holds_here(Solution& solution, const Linearised& solved) const {
-  if (names_of_pairs(model) != solved.names || model.law.pair != solved.law.pair) return false;
+/// Whether what was solved, with these pairs, holds of the equations that are found where it leads to.
+bool Moving::holds_here(Solution& solution, const std::vector<PairName>& names,
+                        const std::vector<Index>& rubbing) const {
+  if (names_of_pairs(model) != names || model.law.pair != rubbing) return false;
   const Certificate here = place.certificate(solution);
   if (!here.holds()) return false;
   solution.certificate = here;
@@ -166,14 +161,15 @@ void Moving::begin(const VectorXd& expected) {
 /// Iterations until one holds. \return whether one did
 bool Moving::ends(Solution& solution) {
   while (++iteration <= most_iterations) {
-    const Linearised problem{names_of_pairs(model), model.law};
+    const std::vector<PairName> names = names_of_pairs(model);
+    const std::vector<Index> rubbing = model.law.pair;
     solution = linear_problem();
     ledger = std::move(solution.ledger);
     if (solution.contact.report.status != SolveStatus::Solved) return false;
     const bool gone = goes_to(solution);
-    if (gone && holds_here(solution, problem)) return true;
+    if (gone && holds_here(solution, names, rubbing)) return true;
     if (!gone) break;
-    hand_on(problem.names, all_statuses(solution.contact));
+    hand_on(names, all_statuses(solution.contact));
   }
   solution.contact.report.status = SolveStatus::IterationLimit;
   solution.contact.reason = why_not_ended(reason, why_indefinite(model, rung));
@@ -206,9 +202,7 @@ StepLoop moving_step(PlacePairs place) {
   loop.solve = [place = std::move(place)](const Displaced& before, const VectorXd& expected,
                                           const SolverOptions& options, Model& model,
                                           Condensed& condensed, Ledger ledger) {
-    return Moving{before,  model,
-                  condensed, options,
-                  std::move(ledger), LinearisedModel(place, before, model)}
+    return Moving{before, model, condensed, options, std::move(ledger), {place, before, model}}
         .solved(expected);
   };
   loop.certify = certificate_where_it_stands;

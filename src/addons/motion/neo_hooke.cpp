@@ -18,17 +18,13 @@ namespace {
 void rubber_stress(const Lame& lame, const Components& H, StressResponse& response) {
   const double a = area_change(H);
   const double area = 1 + a;
-  const double F33 = 1 + H(4);
   const double log_J = std::log1p(a) + std::log1p(H(4));
-  Components F = H;
-  F(0) += 1;
-  F(3) += 1;
-  F(4) += 1;
+  const Components F = deformation(H);
   Components inverse;  // F^-T
-  inverse << F(3) / area, -F(2) / area, -F(1) / area, F(0) / area, 1 / F33;
+  inverse << F(3) / area, -F(2) / area, -F(1) / area, F(0) / area, 1 / F(4);
   Components difference;  // F - F^-T
   difference << (H(0) - H(3) + F(0) * a) / area, (F(1) * area + F(2)) / area,
-      (F(2) * area + F(1)) / area, (H(3) - H(0) + F(3) * a) / area, H(4) * (1 + F33) / F33;
+      (F(2) * area + F(1)) / area, (H(3) - H(0) + F(3) * a) / area, H(4) * (1 + F(4)) / F(4);
   response.piola = lame.mu * difference + lame.lambda * log_J * inverse;
   const double p = lame.lambda * log_J - lame.mu;  // times the derivative of F^-T
   response.tangent = (lame.lambda - p) * inverse * inverse.transpose();
@@ -46,13 +42,7 @@ void rubber_stress(const Lame& lame, const Components& H, StressResponse& respon
 }  // namespace
 
 StrainLaw neo_hooke() {
-  return {"neo_hooke", "rubber-like, resists any compression",
-          [](const Cell& cell, const CellVector& displacement, CellAnswer& answer) {
-            finite_answer(rubber_stress, cell, displacement, answer);
-          },
-          [](const Cell& cell, const CellVector& displacement) {
-            return finite_stability(rubber_stress, cell, displacement);
-          }};
+  return hyperelastic<rubber_stress>("neo_hooke", "rubber-like, resists any compression");
 }
 
 }  // namespace signorini

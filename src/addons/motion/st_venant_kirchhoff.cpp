@@ -10,21 +10,16 @@ namespace signorini {
 namespace {
 
 void green_strain_stress(const Lame& lame, const Components& H, StressResponse& response) {
-  const double F11 = 1 + H(0);
-  const double F12 = H(1);
-  const double F21 = H(2);
-  const double F22 = 1 + H(3);
-  const double F33 = 1 + H(4);
+  const Components F = deformation(H);
   const Eigen::Vector4d E(H(0) + (H(0) * H(0) + H(2) * H(2)) / 2,
                           H(3) + (H(1) * H(1) + H(3) * H(3)) / 2,
                           H(1) + H(2) + (H(0) * H(1) + H(2) * H(3)), H(4) + H(4) * H(4) / 2);
-  Eigen::Matrix4d D = Eigen::Matrix4d::Zero();
-  for (const int i : {0, 1, 3})
-    for (const int j : {0, 1, 3}) D(i, j) = lame.lambda + (i == j ? 2 * lame.mu : 0);
-  D(2, 2) = lame.mu;
+  const Eigen::Vector4d volume(1, 1, 0, 1);
+  Eigen::Matrix4d D = lame.lambda * volume * volume.transpose();
+  D.diagonal() += lame.mu * Eigen::Vector4d(2, 2, 1, 2);
   // What E changes by when H does; the third component of E is twice the shear.
   Eigen::Matrix<double, 4, 5> B;
-  B << F11, 0, F21, 0, 0, 0, F12, 0, F22, 0, F12, F11, F22, F21, 0, 0, 0, 0, 0, F33;
+  B << F(0), 0, F(2), 0, 0, 0, F(1), 0, F(3), 0, F(1), F(0), F(3), F(2), 0, 0, 0, 0, 0, F(4);
   const Eigen::Vector4d S = D * E;
   response.energy = E.dot(S) / 2;
   response.piola = B.transpose() * S;
@@ -41,13 +36,7 @@ void green_strain_stress(const Lame& lame, const Components& H, StressResponse& 
 }  // namespace
 
 StrainLaw st_venant_kirchhoff() {
-  return {"st_venant_kirchhoff", "Hooke's law with Green's strain: large turns, small strains",
-          [](const Cell& cell, const CellVector& displacement, CellAnswer& answer) {
-            finite_answer(green_strain_stress, cell, displacement, answer);
-          },
-          [](const Cell& cell, const CellVector& displacement) {
-            return finite_stability(green_strain_stress, cell, displacement);
-          }};
+  return hyperelastic<green_strain_stress>("st_venant_kirchhoff", "Hooke's law with Green's strain: large turns, small strains");
 }
 
 }  // namespace signorini

@@ -16,9 +16,10 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double noted_turn = 1e-3;  ///< makes strains of 5e-7 of nothing [rad]
-constexpr double refused_turn =
-    1e-2;  ///< makes strains of 5e-5, and places beside the right one [rad]
+/// Makes strains of 5e-7 of nothing [rad].
+constexpr double noted_turn = 1e-3;
+/// Makes strains of 5e-5, and places beside the right one [rad].
+constexpr double refused_turn = 1e-2;
 
 }  // namespace
 
