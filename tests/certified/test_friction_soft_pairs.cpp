@@ -87,7 +87,6 @@ TEST_CASE("few entries or all of them: the same closure", "[friction][soft]") {
     problem.sparse = dense.compliance.sparseView(0, 0);
     return problem;
   };
-  CHECK(force_scale(sparse()) == Approx(force_scale(dense)).epsilon(1e-15));
 
   SECTION("more forces than unknowns: the gaps and slips are the same") {
     const std::vector<ContactStatus> stuck(static_cast<std::size_t>(dense.pairs()),

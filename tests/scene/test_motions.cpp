@@ -93,7 +93,7 @@ std::vector<bool> moved_by_turn(const Scene& scene) {
   const Plan planned = plan(scene);
   REQUIRE(planned.modes.size() == 3);
   const Eigen::MatrixXd R =
-      rigid_gaps(contact_rows(planned.gaps, planned.law), mode_shapes(planned.modes),
+      rigid_gaps(contact_rows(planned.gaps, planned.law), mode_entries(planned.modes),
                  direction_rounding(planned.modes));
   std::vector<bool> moved;
   for (Eigen::Index pair = 0; pair < R.rows(); ++pair) moved.push_back(R(pair, 2) != 0);

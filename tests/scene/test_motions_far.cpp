@@ -55,7 +55,7 @@ Motions motions_of(const Scene& scene) {
     for (const std::string& note : planned.notes) found.notes.push_back(without_numbers(note));
     std::sort(found.notes.begin(), found.notes.end());
     const Eigen::MatrixXd R =
-        rigid_gaps(contact_rows(planned.gaps, planned.law), mode_shapes(planned.modes),
+        rigid_gaps(contact_rows(planned.gaps, planned.law), mode_entries(planned.modes),
                    direction_rounding(planned.modes));
     for (Index pair = 0; pair < R.rows(); ++pair)
       if ((R.row(pair).array() == 0).all()) found.still.insert(pair);

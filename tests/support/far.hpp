@@ -75,7 +75,7 @@ inline bool hidden(const signorini::Scene& scene, const Eigen::Vector2d& shift) 
     if ((entries.array() > 0 && entries.array() <= 8 * rounding * entries.maxCoeff()).any())
       return true;
   }
-  const Eigen::MatrixXd moves = signorini::rigid_gaps(rows, mode_shapes(planned.modes));
+  const Eigen::MatrixXd moves = signorini::rigid_gaps(rows, mode_entries(planned.modes));
   if (moves.size() == 0) return false;
   // Of single pairs, and of motions that hold each other but for so little.
   const auto little = [&](const Eigen::ArrayXd& much, double nothing) {

@@ -28,7 +28,7 @@ inline Refined refined(const signorini::QuadraticProgramme& programme,
   const Eigen::Index pairs = start.force.size();
   signorini::ContactProblem condensed{compliance, Eigen::VectorXd::Zero(pairs)};
   if (modes.cols() > 0) {
-    condensed.rigid = signorini::rigid_gaps(programme.A, modes);
+    condensed.rigid = signorini::rigid_gaps(programme.A, modes.sparseView());
     condensed.resultant = Eigen::VectorXd::Zero(modes.cols());
   }
   const std::vector<signorini::ContactStatus> statuses = signorini::statuses_of(closed, pairs);

@@ -81,7 +81,7 @@ bool is_another_with(const ScaledProblem& problem, Index pair, std::vector<Conta
   for (Index last = problem.pairs() + 1; last > 0 && sets > 0; --sets) {
     const ActiveSetSolution now = solve_active_set(problem, statuses);
     if (is_another(problem, statuses, now, solution)) return true;
-    Index changes = predict(problem, now, force_scale(problem), statuses);
+    Index changes = predict(problem, now, force_scale(problem.compliance), statuses);
     if (std::exchange(statuses[at(pair)], kept) != kept) --changes;
     if (changes >= last) return false;
     last = changes;

@@ -24,55 +24,20 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// Displacements of a cell less the shift of its first node.
-CellVector less_shift(const Cell& cell, Index first_node, const Displaced& at) {
-  CellVector u(2 * cell.element.n_nodes);
-  const Index base = first_node + cell.node(0);
-  for (Index k = 0; k < cell.element.n_nodes; ++k) {
-    const Index node = first_node + cell.node(k);
-    for (const Index axis : {0, 1}) {
-      const bool strains = axis == 0 && cell.body.depth.axial;
-      u(2 * k + axis) =
-          (at.high(node, axis) - (strains ? 0 : at.high(base, axis))) +
-          (at.low(node, axis) - (strains ? 0 : at.low(base, axis)));
-    }
-  }
-  return u;
-}
-
 /// One cell among the unknowns of all bodies.
 struct Numbers {
   const Unknowns& unknowns;
   Index first_node;
   const Cell& cell;
 
-  [[nodiscard]] Index node(Index k) const { return first_node + cell.node(k / 2); }
-  [[nodiscard]] Index unknown(Index k) const { return unknowns.number(node(k), k % 2); }
+  [[nodiscard]] Index unknown(Index k) const {
+    return unknowns.number(first_node + cell.node(k / 2), k % 2);
+  }
 };
 
 /// What rounding may have done to the displacements of a cell: a cell that has turned strains by what little its terms leave.
 /// \param within  the largest displacement beside its first node \param whole  the largest, in two doubles
 double rounding(double within, double whole) { return 4 * epsilon * (within + epsilon * whole); }
-
-/// The largest displacement of a cell.
-double farthest(const Numbers& numbers, const NodeArray& high) {
-  double most = 0;
-  for (Index k = 0; k < numbers.cell.element.n_nodes; ++k)
-    most = std::max(most, high.row(numbers.node(2 * k)).cwiseAbs().maxCoeff());
-  return most;
-}
-
-/// Adds what the held components of a cell will push.
-void add_ahead(const Numbers& numbers, const CellMatrix& K, const NodeArray& going_on,
-               VectorXd& ahead) {
-  for (Index j = 0; j < K.cols(); ++j) {
-    if (numbers.unknown(j) >= 0) continue;
-    const double moves = going_on(numbers.node(j), j % 2);
-    if (moves == 0) continue;
-    for (Index i = 0; i < K.rows(); ++i)
-      if (const Index row = numbers.unknown(i); row >= 0) ahead(row) += K(i, j) * moves;
-  }
-}
 
 /// Where the entries of a cell are among the values of K, which has all of them, column by column; -1 of held components.
 void find_places(const Numbers& numbers, Eigen::SparseMatrix<double>& K, int* place) {
@@ -95,18 +60,10 @@ void add_values(const CellMatrix& cell, double times, const int* place,
 }
 
 /// Springs pull along fixed axes, however far they are drawn.
-void add_springs(const BodyModel& body, const Displaced& at, const NodeArray& going_on,
-                 BodyAnswer& all) {
-  const auto add = [&](const NodeArray& nodes, VectorXd& sum) {
-    NodeArray pulled(body.mesh.n_nodes(), 2);
-    const NodeArray own = nodes.middleRows(body.first_node, body.mesh.n_nodes());
-    Eigen::Map<VectorXd>(pulled.data(), pulled.size()) =
-        body.springs * Eigen::Map<const VectorXd>(own.data(), own.size());
-    add_nodal_forces(body, pulled, sum);
-  };
-  add(at.high, all.force);
-  add(at.high.cwiseAbs(), all.terms);
-  add(going_on, all.ahead);
+void add_springs(const BodyModel& body, const NodeArray& own, VectorXd& sum) {
+  NodeArray pulled(own.rows(), 2);
+  pulled.reshaped<Eigen::RowMajor>() = body.springs * own.reshaped<Eigen::RowMajor>();
+  add_nodal_forces(body, pulled, sum);
 }
 
 }  // namespace
@@ -152,24 +109,32 @@ BodyAnswer BodyAnswers::at(const Model& model, const Displaced& at, const NodeAr
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const BodyModel& body = model.bodies[b];
     const BodyAtRest& rest = bodies_[b];
+    const auto own = [&](const NodeArray& nodes) {
+      return NodeArray(nodes.middleRows(body.first_node, body.mesh.n_nodes()));
+    };
+    const NodeArray high = own(at.high), low = own(at.low), ahead = own(going_on);
     visit_cells(body.mesh, body.element, body.material, [&](const Cell& cell) {
-      const CellVector u = less_shift(cell, body.first_node, at);
+      const CellVector u = less_shift(cell, high) + less_shift(cell, low);
       const Numbers numbers{model.unknowns, body.first_node, cell};
       ask(cell, rest, u, answer);
       if (tangent != nullptr && rest.places.size() > 0)
         add_values(answer.tangent, 1, rest.places.col(cell.number).data(), *tangent);
-      add_ahead(numbers, answer.tangent, going_on, all.ahead);
+      const CellVector push = answer.tangent * gathered(cell, ahead);
       const double size = answer.force.cwiseAbs().maxCoeff() +
                           answer.tangent.diagonal().maxCoeff() *
-                              rounding(u.cwiseAbs().maxCoeff(), farthest(numbers, at.high)) /
+                              rounding(u.cwiseAbs().maxCoeff(), gathered(cell, high).cwiseAbs().maxCoeff()) /
                               certificate_tolerance;
       for (Index k = 0; k < answer.force.size(); ++k)
         if (const Index row = numbers.unknown(k); row >= 0) {
           all.force(row) += answer.force(k);
           all.terms(row) += size;
+          all.ahead(row) += push(k);
         }
     });
-    if (body.springs.rows() > 0) add_springs(body, at, going_on, all);
+    if (body.springs.rows() == 0) continue;
+    add_springs(body, high, all.force);
+    add_springs(body, high.cwiseAbs(), all.terms);
+    add_springs(body, ahead, all.ahead);
   }
   return all;
 }
@@ -183,6 +148,14 @@ VectorXd outer_forces(const Model& model) {
     add_nodal_forces(body, nodal, load);
   }
   return load;
+}
+
+Model without_stiffness(Model& model) {
+  Eigen::SparseMatrix<double> aside;
+  aside.swap(model.programme.stiffness);
+  Model copy = model;
+  aside.swap(model.programme.stiffness);
+  return copy;
 }
 
 }  // namespace signorini

@@ -1,6 +1,4 @@
 // Finite strain: bodies whose material has a law, step by step, with pairs where they have moved to.
-#include <algorithm>
-
 #include "addons/equations/equations.hpp"
 #include "addons/motion/finite_strain.hpp"
 #include "addons/motion/law_limits.hpp"

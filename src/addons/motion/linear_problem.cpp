@@ -29,7 +29,7 @@
 #include <optional>
 #include <utility>
 
-#include "addons/motion/swapped.hpp"
+#include "addons/motion/body_answers.hpp"
 #include "signorini/contact/gaps.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/index.hpp"
@@ -53,13 +53,6 @@ constexpr std::array<Rung, 7> ladder = {
 constexpr std::size_t weak_springs = 3;  // they and the next are on the right as well
 constexpr std::size_t stiff_springs = 5;  // these make ways short
 
-/// Of an iteration, before a rung adds to it.
-struct Tangent {
-  Eigen::SparseMatrix<double> stiffness;
-  VectorXd load;
-  double mean;  ///< stiffness
-};
-
 /// Makes \f$ \rho A_c^T A_c \f$, which belongs to K, and adds \f$ \rho A_c^T g_c \f$ to p. Where one of the rows c is about to open it resists
 /// a little, as a spring that is at rest where it holds.
 Eigen::SparseMatrix<double> hold_by_pairs(const std::vector<Index>& rows, double stiffness,
@@ -78,27 +71,26 @@ TurnedForces lacking(const TangentProblem& problem, std::size_t rung, double spr
 }
 
 /// One try. \return nothing if K has no factor
-std::optional<Corrected> try_rung(std::size_t number, const Tangent& tangent,
-                                  const TangentProblem& problem, Condensed& condensed,
-                                  Ledger& ledger) {
-  Model& model = problem.model;
-  QuadraticProgramme& programme = model.programme;
+/// \param trial  the model of the problem, but for K, p and rigid motions, which are those before strain
+std::optional<Corrected> try_rung(std::size_t number, const TangentProblem& problem, Model& trial,
+                                  Condensed& condensed, Ledger& ledger) {
+  const QuadraticProgramme& here = problem.model.programme;
+  QuadraticProgramme& programme = trial.programme;
   const Rung& rung = ladder[number];
-  programme.load = tangent.load;
-  programme.stiffness =
-      tangent.stiffness + hold_by_pairs(problem.held, rung.pairs * tangent.mean, programme);
-  for (Index k = 0; k < programme.load.size() && rung.springs > 0; ++k)
-    programme.stiffness.coeffRef(k, k) += rung.springs * tangent.mean;
+  const double mean = here.stiffness.diagonal().cwiseAbs().mean();
+  programme.load = here.load;
+  programme.stiffness = here.stiffness + hold_by_pairs(problem.held, rung.pairs * mean, programme);
+  if (rung.springs > 0) programme.stiffness.diagonal().array() += rung.springs * mean;
   ledger.count("tangents tried", 1);
   try {
-    condensed = condense(model, ledger);
+    condensed = condense(trial, ledger);
   } catch (const ProblemError&) {
     ledger.count("tangents without a factor", 1);
     return {};
   }
-  model.order = condensed.factor.order();  // patterns of a step hardly differ
+  problem.model.order = trial.order = condensed.factor.order();  // patterns of a step hardly differ
   ledger.count("factors", 1);
-  Corrected tried = corrected_solve(model, lacking(problem, number, rung.springs * tangent.mean),
+  Corrected tried = corrected_solve(trial, lacking(problem, number, rung.springs * mean),
                                     problem.options, condensed, std::exchange(ledger, {}));
   ledger = std::move(tried.solution.ledger);
   return tried;
@@ -129,30 +121,12 @@ std::string most_shortened(const Model& model) {
 
 }  // namespace
 
-Solution solve_with_one_factor(Model& model, VectorXd free, const TurnedForces& turned,
-                               const SolverOptions& options, Condensed& condensed, Ledger ledger) {
-  condensed.problem.law = model.law;
-  {
-    const Ledger::Phase phase(ledger, "compliance");  // as often as pairs are found
-    condensed.problem.compliance = condensed.factor.compliance(model.programme.A, ledger);
-  }
-  move_freely(model, std::move(free), condensed);
-  return corrected_solve(model, turned, options, condensed, std::move(ledger)).solution;
-}
-
 Solution solve_with_tangent(const TangentProblem& problem, Condensed& condensed, Ledger ledger) {
-  Model& model = problem.model;
-  QuadraticProgramme& programme = model.programme;
-  Tangent tangent{{}, programme.load, programme.stiffness.diagonal().cwiseAbs().mean()};
-  std::vector<FreeMotion> modes;  // of K before strain
-  const Swapped aside([&] {
-    tangent.stiffness.swap(programme.stiffness);
-    tangent.load.swap(programme.load);
-    modes.swap(model.modes);
-  });
+  Model trial = without_stiffness(problem.model);
+  trial.modes.clear();  // K before strain has them
   std::optional<Solution> solution;
   for (std::size_t k = problem.rung < weak_springs ? problem.rung : 0; k < ladder.size(); ++k) {
-    std::optional<Corrected> next = try_rung(k, tangent, problem, condensed, ledger);
+    std::optional<Corrected> next = try_rung(k, problem, trial, condensed, ledger);
     if (!next) continue;
     solution = std::move(next->solution);
     problem.rung = k;
@@ -162,7 +136,7 @@ Solution solve_with_tangent(const TangentProblem& problem, Condensed& condensed,
   if (!solution) {
     solution.emplace();
     solution->contact.report.status = SolveStatus::Breakdown;
-    solution->contact.reason = why_indefinite(model, ladder.size());
+    solution->contact.reason = why_indefinite(problem.model, ladder.size());
   }
   solution->ledger = std::move(ledger);
   return *std::move(solution);

@@ -17,20 +17,7 @@ namespace signorini {
 [[nodiscard]] std::vector<Eigen::Index> held_rows(const std::vector<ContactStatus>& statuses,
                                                   const FrictionLaw& law);
 
-/// Solves the linear problem of a model whose K does not change: with the factor that `condensed` has.
-/// \param model      placed, with p of the iteration, which it keeps
-/// \param free       K^-1 p `n` [length]
-/// \param turned     how contact forces turn; empty: they do not
-/// \param options    for the solver
-/// \param condensed  gets the compliance of the rows of the model
-/// \param ledger     goes on in the solution
-/// \return the solution in the way d from the place
-[[nodiscard]] Solution solve_with_one_factor(Model& model, Eigen::VectorXd free,
-                                             const TurnedForces& turned,
-                                             const SolverOptions& options, Condensed& condensed,
-                                             Ledger ledger);
-
-/// The same with a tangent of its own, which may be indefinite.
+/// The linear problem of a model with a tangent of its own, which may be indefinite.
 struct TangentProblem {
   Model& model;  ///< placed, with K and p of the iteration, which it keeps
   const std::vector<Eigen::Index>& held;  ///< rows that held last, see held_rows()

@@ -107,13 +107,9 @@ Displaced LinearisedModel::ahead(const PrimalDual& way, double share) const {
   return there;
 }
 
-// The copy has no K, which is large and not looked at.
 VectorXd LinearisedModel::turned(const VectorXd& way, const VectorXd& force, double look) const {
   const double share = std::min(1.0, look / largest(way));
-  Eigen::SparseMatrix<double> aside;
-  aside.swap(model_.programme.stiffness);
-  Model there = model_;
-  aside.swap(model_.programme.stiffness);
+  Model there = without_stiffness(model_);
   try {
     place_(ahead({way, {}, {}}, share), before_, there);
   } catch (const ProblemError&) {

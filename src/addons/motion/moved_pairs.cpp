@@ -17,14 +17,11 @@
 #include <memory>
 #include <string>
 
-#include "addons/motion/swapped.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/effects.hpp"
 
 namespace signorini {
 namespace {
-
-using Eigen::Index;
 
 NodeArray nodes_of(const std::vector<BodyModel>& bodies) {
   NodeArray nodes(count_nodes(bodies), 2);
@@ -81,17 +78,6 @@ NodeArray moved_since(const Scene& scene, const Displaced& before, const Displac
   return moved.rounded + (moved.rest - rest);
 }
 
-/// Exchanges bodies for themselves where they stand, which a draft has as long as they are there.
-auto in_place_of(std::vector<BodyModel>& bodies, const NodeArray& places,
-                 std::vector<BodyModel>& there) {
-  for (const BodyModel& body : bodies)
-    there.emplace_back().mesh.nodes = places.middleRows(body.first_node, body.mesh.n_nodes());
-  return [&] {
-    for (std::size_t b = 0; b < bodies.size(); ++b) bodies[b].mesh.nodes.swap(there[b].mesh.nodes);
-    bodies.swap(there);
-  };
-}
-
 /// What supports still have to move, from the rounded places.
 Unknowns from_there(Unknowns unknowns, const Displaced& u, const NodeArray& rest) {
   unknowns.held = (unknowns.number < 0).select(((unknowns.held - u.high) - u.low) + rest, 0);
@@ -136,11 +122,11 @@ void place_bodies(const Scene& scene, const Displaced& displacement, const Displ
   draft.gaps.A.resize(0, model.unknowns.count);
   draft.gaps.pairs.opening.resize(0, still.size());
   draft.gaps.pairs.sliding.resize(0, still.size());
-  {
-    const Swapped there(in_place_of(model.bodies, now.rounded, draft.bodies));
-    for (const Effect* effect : model.effects)
-      if (effect->of_pairs) effect->declare(scene, draft);
-  }
+  draft.bodies = model.bodies;
+  for (BodyModel& body : draft.bodies)
+    body.mesh.nodes = now.rounded.middleRows(body.first_node, body.mesh.n_nodes());
+  for (const Effect* effect : model.effects)
+    if (effect->of_pairs) effect->declare(scene, draft);
   add_rest(now.rest, draft.unknowns, draft.gaps);
   draft.gaps.pairs.position.rowwise() += carried;
   model.standing = std::move(draft.standing);

@@ -1,8 +1,6 @@
 #include "addons/motion/moved_scene.hpp"
 
-#include <algorithm>
 #include <memory>
-#include <utility>
 
 #include "addons/equations/take_equations.hpp"
 #include "addons/motion/moved_pairs.hpp"

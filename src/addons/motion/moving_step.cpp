@@ -15,7 +15,6 @@
 
 #include "addons/motion/moving_step.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "addons/motion/linear_problem.hpp"
@@ -82,9 +81,15 @@ Solution Moving::linear_problem() {
   if (rest || !place.finite()) {
     condensed.factor = factor;
     VectorXd free = rest ? std::exchange(condensed.free_displacement, {})
-                         : condensed.factor.solve(model.programme.load);
-    Solution solution = solve_with_one_factor(model, std::move(free), turned, options, condensed,
-                                              std::move(ledger));
+                         : factor.solve(model.programme.load);
+    condensed.problem.law = model.law;
+    {
+      const Ledger::Phase phase(ledger, "compliance");  // as often as pairs are found
+      condensed.problem.compliance = factor.compliance(model.programme.A, ledger);
+    }
+    move_freely(model, std::move(free), condensed);
+    Solution solution =
+        corrected_solve(model, turned, options, condensed, std::move(ledger)).solution;
     const bool flies = held.empty() && solution.contact.unbounded_direction.size() > 0;
     if (!flies || !rest) return solution;
     ledger = std::move(solution.ledger);

@@ -53,7 +53,7 @@ Pattern pattern_of(const Plan& plan) {
   SeparatorTree tree;
   {
     const Ledger::Phase phase(taken, "ordering");
-    tree = separator_tree(known.stiffness, unknown_positions(plan.bodies));
+    tree = separator_tree(known.stiffness, unknown_positions(plan));
   }
   {
     const Ledger::Phase phase(taken, "analysis");

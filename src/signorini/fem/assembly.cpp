@@ -21,7 +21,6 @@
 
 #include <algorithm>
 #include <map>
-#include <vector>
 
 #include "signorini/core/errors.hpp"
 #include "signorini/core/index.hpp"

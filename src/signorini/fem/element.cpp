@@ -20,7 +20,6 @@
 #include "signorini/fem/element.hpp"
 
 #include <Eigen/LU>
-#include <array>
 #include <cmath>
 #include <utility>
 

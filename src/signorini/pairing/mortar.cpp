@@ -21,7 +21,6 @@
 #include <cmath>
 #include <map>
 #include <set>
-#include <utility>
 
 #include "signorini/core/errors.hpp"
 #include "signorini/pairing/mortar_segments.hpp"

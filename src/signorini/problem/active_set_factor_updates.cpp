@@ -11,11 +11,10 @@
 // \f$ 0.5 \cdot 1 + 0.866 \cdot 0.577 = 1 \f$ of y, and the second pair alone has the force 1.
 // A factor made anew of that pair is the same.
 
+#include <Eigen/Jacobi>
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
-#include "signorini/core/dense.hpp"
 #include "signorini/core/triangular.hpp"
 #include "signorini/problem/active_set_factor.hpp"
 
@@ -64,28 +63,11 @@ void ActiveSetFactor::remove_one(Index position) {
   for (Index i = position; i < last; ++i) L_.row(i).head(i + 2) = L_.row(i + 1).head(i + 2);
   for (Index j = position; j < last; ++j) {
     // Row j now ends in columns j and j + 1: turn these so that the second entry vanishes.
-    const double a = L_(j, j);
-    const double b = L_(j, j + 1);
-    const double r = std::hypot(a, b);
-    const double c = a / r;
-    const double s = b / r;
-    for (Index i = j; i < last; ++i) {
-      const double first = L_(i, j);
-      const double second = L_(i, j + 1);
-      L_(i, j) = c * first + s * second;
-      L_(i, j + 1) = c * second - s * first;
-    }
-    const double first = y_(j);
-    y_(j) = c * first + s * y_(j + 1);
-    y_(j + 1) = c * y_(j + 1) - s * first;
-    double* q = Q_.data() + j * Q_.rows();
-    double* p = q + Q_.rows();
-    // Q turns with L, as the columns of H are \f$ QL^T \f$.
-    for (Index i = 0; i < Q_.rows(); ++i) {
-      const double along = q[i];
-      q[i] = c * along + s * p[i];
-      p[i] = c * p[i] - s * along;
-    }
+    Eigen::JacobiRotation<double> turn;
+    turn.makeGivens(L_(j, j), L_(j, j + 1));
+    L_.middleRows(j, last - j).applyOnTheRight(j, j + 1, turn);
+    y_.applyOnTheLeft(j, j + 1, turn.adjoint());
+    Q_.applyOnTheRight(j, j + 1, turn);  // as the columns of H are \f$ QL^T \f$
   }
   rows_.erase(rows_.begin() + position);
 }

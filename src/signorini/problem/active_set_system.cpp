@@ -20,7 +20,6 @@
 #include "signorini/problem/active_set_system.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "signorini/core/rounding.hpp"
 #include "signorini/problem/exact_vector.hpp"

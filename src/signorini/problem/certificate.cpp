@@ -28,7 +28,6 @@
 #include <sstream>
 
 #include "signorini/core/exact_sum.hpp"
-#include "signorini/core/rounding.hpp"
 
 namespace signorini {
 namespace {

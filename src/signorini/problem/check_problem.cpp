@@ -37,22 +37,6 @@ double asymmetry(const Eigen::MatrixXd& G) {
 // times \f$ \varepsilon \f$ is 2.2e-13.
 const double allowed_asymmetry = 1e3 * epsilon;
 
-// Sizes come first. All later checks would read beyond the end of a vector that is too short.
-void check_sizes(const ContactProblem& problem) {
-  const Eigen::MatrixXd& F = problem.compliance;
-  const Eigen::Index pairs = problem.free_gap.size();
-  const Eigen::Index slips = problem.free_slip.size();
-  const Eigen::Index n = pairs + slips;
-  const Eigen::Index modes = problem.resultant.size();
-  require_argument(F.rows() == n && F.cols() == n, "contact problem: compliance must be ", n, " x ",
-                   n, " (one row per gap, then one per slip), got ", F.rows(), " x ", F.cols());
-  check_law(problem.law, pairs, slips);
-  require_argument(problem.rigid.cols() == modes && (modes == 0 || problem.rigid.rows() == n),
-                   "contact problem: rigid must be ", n, " x ", modes,
-                   " (one row per gap and slip, one column per entry of resultant), got ",
-                   problem.rigid.rows(), " x ", problem.rigid.cols());
-}
-
 // 0 is allowed everywhere, because nothing becomes large by it except where it is divided by, and
 // that case is treated.
 bool within(double number, double most) {
@@ -97,6 +81,22 @@ void check_magnitudes_of_modes(const ContactProblem& problem) {
 }
 
 }  // namespace
+
+// Sizes come first. All later checks would read beyond the end of a vector that is too short.
+void check_sizes(const ContactProblem& problem) {
+  const Eigen::MatrixXd& F = problem.compliance;
+  const Eigen::Index pairs = problem.free_gap.size();
+  const Eigen::Index slips = problem.free_slip.size();
+  const Eigen::Index n = pairs + slips;
+  const Eigen::Index modes = problem.resultant.size();
+  require_argument(F.rows() == n && F.cols() == n, "contact problem: compliance must be ", n, " x ",
+                   n, " (one row per gap, then one per slip), got ", F.rows(), " x ", F.cols());
+  check_law(problem.law, pairs, slips);
+  require_argument(problem.rigid.cols() == modes && (modes == 0 || problem.rigid.rows() == n),
+                   "contact problem: rigid must be ", n, " x ", modes,
+                   " (one row per gap and slip, one column per entry of resultant), got ",
+                   problem.rigid.rows(), " x ", problem.rigid.cols());
+}
 
 // What all solvers rely on, also those that take any matrix. NaN and infinity are looked for before
 // the magnitudes, because the largest of a list with NaN may be any number. A hundred load steps have one matrix,

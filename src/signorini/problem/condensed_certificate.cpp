@@ -130,15 +130,8 @@ Certificate certify(const ProblemBlocks& problem, const Claim& claim) {
 Certificate certify(const ContactProblem& problem, const ContactState& state) {
   const Index pairs = problem.free_gap.size();
   const Index slips = problem.free_slip.size();
-  const Index rows = pairs + slips;
   const Index modes = problem.resultant.size();
-  check_law(problem.law, pairs, slips);
-  require_argument(problem.compliance.rows() == rows && problem.compliance.cols() == rows,
-                   "certify: compliance must be ", rows, " x ", rows, ", got ",
-                   problem.compliance.rows(), " x ", problem.compliance.cols());
-  require_argument(problem.rigid.cols() == modes && (modes == 0 || problem.rigid.rows() == rows),
-                   "certify: rigid must be ", rows, " x ", modes, ", got ", problem.rigid.rows(),
-                   " x ", problem.rigid.cols());
+  check_sizes(problem);
   require_argument(
       state.force.size() == pairs && state.gap.size() == pairs && state.friction.size() == slips &&
           state.slip.size() == slips && state.amplitude.size() == modes,

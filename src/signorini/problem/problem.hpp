@@ -186,6 +186,10 @@ struct SolverOptions {
 /// \throws std::invalid_argument unless it has n_s pairs below n_c in increasing order, and mu and c are >= 0
 void check_law(const FrictionLaw& law, Eigen::Index pairs, Eigen::Index slips);
 
+/// \param problem  any
+/// \throws std::invalid_argument if sizes do not fit, or as check_law()
+void check_sizes(const ContactProblem& problem);
+
 /// Checks what every solver relies on: sizes and numbers.
 /// \param problem    any
 /// \param of_matrix  whether the numbers of F, which another problem may have had before, are looked at too

@@ -136,12 +136,6 @@ double force_scale(const MatrixXd& compliance) {
   return sum > 0 ? sum : 1;
 }
 
-double force_scale(const ScaledProblem& problem) {
-  if (problem.sparse.size() == 0) return force_scale(problem.compliance);
-  const double sum = (problem.sparse.cwiseAbs() * VectorXd::Ones(problem.free.size())).maxCoeff();
-  return sum > 0 ? sum : 1;
-}
-
 // P F P. Contact alone may hold a body. F then contains the springs that ground it, and these
 // springs must not decide anything. Forces in balance do not strain them, and P leaves nothing
 // else. If all bodies are rigid, nothing remains but rounding, which Newton's method would take for

@@ -63,10 +63,6 @@ struct ScaledProblem {
 /// \return the sum, 1 if that is 0 [-]
 [[nodiscard]] double force_scale(const Eigen::MatrixXd& compliance);
 
-/// \param problem  scaled
-/// \return the same, by the entries that are not 0 where there are few
-[[nodiscard]] double force_scale(const ScaledProblem& problem);
-
 /// What forces in balance move, \f$ PFP \f$ with \f$ P = I - UU^T \f$: the springs that ground a body in F are not in it.
 /// \param problem  scaled
 /// \return the matrix; F without rigid modes, 0 where nothing but rounding is left

@@ -16,7 +16,6 @@
 
 #include "signorini/core/errors.hpp"
 #include "signorini/core/table.hpp"
-#include "signorini/scene/readings.hpp"
 
 namespace signorini {
 namespace {

@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <exception>
-#include <filesystem>
 #include <iostream>
 #include <set>
 #include <stdexcept>

@@ -149,14 +149,12 @@ void put_along_diagonal(const std::vector<BodyModel>& bodies,
 
 // Where an unknown is matters to a back end that orders the elimination by cutting the body
 // into parts. The others do not ask.
-NodeArray unknown_positions(const std::vector<BodyModel>& bodies) {
-  NodeArray positions(count_unknowns(bodies), 2);
-  for (const BodyModel& body : bodies)
+NodeArray unknown_positions(const Plan& plan) {
+  NodeArray positions(plan.unknowns.count, 2);
+  for (const BodyModel& body : plan.bodies)
     positions.middleRows(body.first_unknown, body.unknowns.count) =
         unknown_positions(body.mesh, body.unknowns);
   return positions;
 }
-
-NodeArray unknown_positions(const Model& model) { return unknown_positions(model.bodies); }
 
 }  // namespace signorini

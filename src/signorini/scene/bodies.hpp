@@ -99,13 +99,8 @@ void put_along_diagonal(const std::vector<BodyModel>& bodies,
                         Eigen::SparseMatrix<double>& all);
 
 /// Where the unknowns of all bodies are.
-/// \param bodies  one or several
+/// \param plan  from plan(), or a model
 /// \return `n x 2` position of the node of each unknown [length]
-[[nodiscard]] NodeArray unknown_positions(const std::vector<BodyModel>& bodies);
-
-/// Where the unknowns of all bodies are.
-/// \param model  from build()
-/// \return `n x 2` position of the node of each unknown [length]
-[[nodiscard]] NodeArray unknown_positions(const Model& model);
+[[nodiscard]] NodeArray unknown_positions(const Plan& plan);
 
 }  // namespace signorini

@@ -22,7 +22,6 @@
 #include <optional>
 #include <utility>
 
-#include "signorini/contact/gaps.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/wording.hpp"
 #include "signorini/scene/bodies.hpp"

@@ -3,7 +3,6 @@
 /// Contacts that cannot be meant: plan() refuses them, because their answers would be wrong.
 #pragma once
 #include <Eigen/Core>
-#include <string>
 #include <vector>
 
 #include "signorini/scene/scene.hpp"

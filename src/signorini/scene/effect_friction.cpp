@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"

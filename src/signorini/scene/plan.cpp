@@ -12,7 +12,6 @@
 //
 // Nothing later looks at the scene. So what is not in the plan has no effect on the answer.
 
-#include <algorithm>
 #include <ostream>
 #include <utility>
 

@@ -129,11 +129,6 @@ SparseMatrix rigid_gaps(const RowMatrix& A, const SparseMatrix& null_vectors, do
   return R;
 }
 
-Eigen::MatrixXd rigid_gaps(const RowMatrix& A, const Eigen::MatrixXd& null_vectors,
-                           double directions) {
-  return rigid_gaps(A, SparseMatrix(null_vectors.sparseView()), directions);
-}
-
 // The same doubt about zero, for the load: a load whose parts cancel must not leave a
 // resultant that nothing can balance.
 Eigen::VectorXd rigid_resultant(const Eigen::VectorXd& load, const Eigen::MatrixXd& null_vectors,
@@ -159,7 +154,7 @@ void add_rigid_modes(const QuadraticProgramme& programme, const Eigen::MatrixXd&
                    programme.A.cols(), " and ", null_vectors.rows());
   require_argument(problem.compliance.rows() == rows, "rigid modes: expected a compliance of ",
                    rows, " rows, got ", problem.compliance.rows());
-  problem.rigid = rigid_gaps(programme.A, null_vectors, directions);
+  problem.rigid = rigid_gaps(programme.A, null_vectors.sparseView(), directions);
   problem.resultant = rigid_resultant(programme.load, null_vectors, directions);
 }
 

@@ -26,12 +26,6 @@ namespace signorini {
     const Eigen::SparseMatrix<double, Eigen::RowMajor>& A,
     const Eigen::SparseMatrix<double>& null_vectors, double directions = 0);
 
-/// The same, dense. \param A  as above \param null_vectors  N `n x n_r` \param directions  as above
-/// \return R `n_c x n_r`
-[[nodiscard]] Eigen::MatrixXd rigid_gaps(const Eigen::SparseMatrix<double, Eigen::RowMajor>& A,
-                                         const Eigen::MatrixXd& null_vectors,
-                                         double directions = 0);
-
 /// What a load does along rigid modes.
 /// \param load          p `n`
 /// \param null_vectors  N `n x n_r`

@@ -10,7 +10,6 @@
 
 #include "signorini/contact/friction_laws.hpp"
 #include "signorini/contact/gap_operators.hpp"
-#include "signorini/contact/gaps.hpp"
 #include "signorini/contact/obstacle.hpp"
 #include "signorini/fem/assembly.hpp"
 #include "signorini/fem/free_motions.hpp"

@@ -11,27 +11,21 @@
 // How it is solved is a choice of the program. The library has one way, solve_plainly(). An
 // add-on may put another one into a slot, which knows more of hard cases, and every solve()
 // below asks what the slot holds.
-#include <algorithm>
 #include <cmath>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 
 #include "signorini/core/errors.hpp"
-#include "signorini/core/table.hpp"
 #include "signorini/scene/balance.hpp"
-#include "signorini/scene/bodies.hpp"
 #include "signorini/scene/checks.hpp"
 #include "signorini/scene/motions.hpp"
 #include "signorini/scene/notes.hpp"
-#include "signorini/scene/rigid_modes.hpp"
 #include "signorini/scene/scene.hpp"
 #include "signorini/scene/ways.hpp"
 #include "signorini/solvers/refined_solve.hpp"
 
 namespace signorini {
 namespace {
-using Eigen::Index;
 using Eigen::VectorXd;
 
 // Held components come back here: users know nodes, and the solution has unknowns.

@@ -27,7 +27,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <utility>
 
 #include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"
@@ -144,7 +143,7 @@ void DualActiveSet::find_most_violated() {
 }
 
 // The loop. Candidates that are independent of the closed pairs join as a block. If none is
-// independent, the worst is pressed until another pair leaves for it.
+// independent, the worst is pressed alone, while others leave for it.
 //
 // In exact numbers the energy rises each time. With rounding, rows that are nearly equal can
 // replace each other without a rise, and for ever. So rows that joined or left without a rise are
@@ -156,7 +155,6 @@ SolveStatus DualActiveSet::run() {
     find_most_violated();
     if (candidates_.rows.empty()) return SolveStatus::Solved;
     if (report_.iterations >= limit_) return SolveStatus::IterationLimit;
-    if (kind_ == Step::Block) ++report_.iterations;
     const Index before = basis_.size();
     const std::vector<Index> closed = basis_.rows();
     const Index worst = candidates_.rows.front();
@@ -166,10 +164,12 @@ SolveStatus DualActiveSet::run() {
       status = press(worst);
     } else {
       rows_.fetch(basis_, gap_, rounding_, candidates_);
-      if (basis_.append(candidates_, ActiveSetFactor::Choice::Violated, group_) > 0)
+      if (basis_.append(candidates_, ActiveSetFactor::Choice::Violated, group_) > 0) {
+        ++report_.iterations;
         settle(before);
-      else
-        status = exchange(worst);
+      } else {
+        status = press(worst);
+      }
     }
     if (status != SolveStatus::Solved) return status;
     if (rises(basis_.dual_energy(), highest, basis_.size())) {
@@ -232,17 +232,12 @@ void DualActiveSet::pass_over() { mark_stalled({pressed_}); }
 // stalled is not closed.
 void DualActiveSet::mark_stalled(const std::vector<Index>& rows) {
   for (const Index row : rows)
-    if (state_[at(row)] == Row::Open) {
-      state_[at(row)] = Row::Stalled;
-      any_stalled_ = true;
-    }
+    if (state_[at(row)] == Row::Open) state_[at(row)] = Row::Stalled;
 }
 
-// Rows stall seldom, and this is asked whenever the energy rises. So the whole list is looked at
-// only if a row of it has stalled.
+// Where the energy has risen, no set of before comes back.
 void DualActiveSet::forget_stalled() {
-  if (any_stalled_) std::replace(state_.begin(), state_.end(), Row::Stalled, Row::Open);
-  any_stalled_ = false;
+  std::replace(state_.begin(), state_.end(), Row::Stalled, Row::Open);
 }
 
 }  // namespace signorini

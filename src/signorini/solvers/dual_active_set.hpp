@@ -65,7 +65,6 @@ class DualActiveSet {
   void open_vanished(const std::vector<Eigen::Index>& positions);
   void settle(Eigen::Index before);
   void step_by_step();
-  SolveStatus exchange(Eigen::Index row);
   SolveStatus press(Eigen::Index row);
   SolveStatus cannot_close(Eigen::Index row, const Eigen::VectorXd& response);
   bool join(Eigen::Index row, double force);
@@ -92,7 +91,6 @@ class DualActiveSet {
   Eigen::VectorXd proof_;
   ActiveSetFactor::Candidates candidates_;
   std::vector<Row> state_;
-  bool any_stalled_ = false;
 };
 
 /// \param basis      closed rows

@@ -128,20 +128,6 @@ void DualActiveSet::yield(const VectorXd& response, double step) {
     if (basis_.rows()[at(k)] >= rows_.equations) force_(k) = std::max(0.0, force_(k));
 }
 
-// A violated row depends on the closed ones: presses it, while they yield, until the first one
-// opens. Then it no longer depends on the others and joins in the place of that row.
-SolveStatus DualActiveSet::exchange(Index row) {
-  fetch(row);
-  const VectorXd response = basis_.response(candidates_).yield;
-  const auto [first, step] = first_to_open(response);
-  if (first < 0) return cannot_close(row, response);
-  yield(response, step);
-  open_vanished({first});
-  if (!join(row, step)) return SolveStatus::Breakdown;
-  step_by_step();
-  return SolveStatus::Solved;
-}
-
 // The step of Goldfarb and Idnani. A pair is pressed through as many sets as it takes. The opening
 // of its gap is summed up, because the factor knows the gap only for the forces of the basis.
 // [press]

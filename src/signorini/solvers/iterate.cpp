@@ -47,14 +47,6 @@ void Iterate::stop(SolveStatus status, const char* why) {
   if (why != nullptr) reason = why;
 }
 
-// A set without closed pairs needs no factorisation: its forces are known.
-void Iterate::solve(const ScaledProblem& problem, const ActiveSet& set,
-                    const ActiveSetSolution* start) {
-  report.factorisations += set.closed.empty() ? 0 : 1;
-  ++report.iterations;
-  solution = solve_active_set(problem, set, start);
-}
-
 // Two equal rows with d = (-1, -2) show why the order matters: the second one, closed with the force 2, leaves
 // the first one the gap 1. The first one, closed with the force 1, would leave the second one an overlap of 1.
 // With friction the set has rows of slips too, which no number of pairs puts in order.
@@ -87,7 +79,7 @@ Iterate first_iterate(const ScaledProblem& problem) {
   ActiveSetSolution& now = iterate.solution;
   now.force.setZero(problem.free.size());
   now.amplitude.setZero(U.cols());
-  double unit = force_scale(problem);
+  double unit = force_scale(problem.compliance);
   if (U.cols() > 0) {
     unit = force_scale(problem, balanced_compliance(problem));
     now.force = U * problem.resultant;

@@ -20,9 +20,6 @@ struct Iterate {
 
   /// Says how a method ends here. \param status  of the run \param why  in words; null: as before
   void stop(SolveStatus status, const char* why = nullptr);
-  /// Moves to the solution of a set, one iteration. \param problem  scaled \param set  what is known
-  /// \param start  as of solve_active_set()
-  void solve(const ScaledProblem& problem, const ActiveSet& set, const ActiveSetSolution* start);
 };
 
 /// What statuses say is closed, the surest first. Of rows that repeat each other a system keeps the first.

@@ -25,7 +25,6 @@
 
 #include <algorithm>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "signorini/core/errors.hpp"

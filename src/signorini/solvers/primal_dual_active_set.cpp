@@ -50,9 +50,8 @@ using Eigen::Index;
 // definite G it comes to the solution after finitely many sets. It changes one pair at a time, so
 // it is the way out of a cycle and not the method.
 void keep_first_change(const std::vector<ContactStatus>& last, std::vector<ContactStatus>& next) {
-  std::size_t i = 0;
-  while (i < next.size() && next[i] == last[i]) ++i;
-  for (++i; i < next.size(); ++i) next[i] = last[i];
+  const auto [was, is] = std::mismatch(last.begin(), last.end(), next.begin());
+  if (is != next.end()) std::copy(was + 1, last.end(), is + 1);
 }
 
 }  // namespace
@@ -81,7 +80,7 @@ Index most_exchanges(const ScaledProblem& problem) {
 void primal_dual_iterations(const ScaledProblem& problem, Index limit, Iterate& iterate) {
   const bool frictional = !problem.law.pair.empty();
   const bool plain = !frictional && problem.rigid.cols() == 0;
-  const double unit = force_scale(problem);
+  const double unit = force_scale(problem.compliance);
   std::set<std::vector<ContactStatus>> seen;
   bool one_at_a_time = false;
   ActiveSetSolution start = iterate.solution;
@@ -93,7 +92,10 @@ void primal_dual_iterations(const ScaledProblem& problem, Index limit, Iterate& 
       if (!plain) return;
     }
     const ActiveSet set = surest_first(problem, iterate.statuses, iterate.solution.movement);
-    iterate.solve(problem, set, plain ? nullptr : &start);
+    // A set without closed pairs needs no factorisation: its forces are known.
+    iterate.report.factorisations += set.closed.empty() ? 0 : 1;
+    ++iterate.report.iterations;
+    iterate.solution = solve_active_set(problem, set, plain ? nullptr : &start);
     const ActiveSetSolution& now = iterate.solution;
     if (frictional) start = now;
     if (!now.force.allFinite() || !now.movement.allFinite() || (!frictional && !now.solvable))
