@@ -35,10 +35,13 @@ Plan taken_out(Plan& plan) {
   return taken;
 }
 
+std::string late_words(const Stage& stage, const SceneRun& run) {
+  return erase_line() + overdue_words(stage, run.plan, run.prediction);
+}
+
 /// Says, while a stage lasts, that it lasts far longer than forecast.
 Overdue watch(const Stage& stage, const SceneRun& run) {
-  return Overdue(overdue_after(stage, run.prediction),
-                 erase_line() + overdue_words(stage, run.plan, run.prediction));
+  return Overdue(overdue_after(stage, run.prediction), late_words(stage, run));
 }
 
 /// Goes along the load steps of a scene.
@@ -72,7 +75,8 @@ void follow(SceneRun& run, Ledger ledger, const StepObserver& observe, const Pro
                       number(gone.count() / steps * static_cast<double>(rest), "%.2g"), " s left"));
   };
   progress.say(text("step ", run.from.steps + 1, ", ", left(run.from.time), " to go"));
-  const Overdue overdue = watch(solving(), run);
+  std::optional<Overdue> overdue;  // how many iterations a step of bodies that move takes nobody knows before
+  if (!model.loop) overdue.emplace(overdue_after(solving(), run.prediction), late_words(solving(), run));
   run.end = solve_steps(model, path, std::move(ledger), each, run.from);
   stand(run.end->state, model);
 }

@@ -109,9 +109,10 @@ class Figures {
            Certainty certainty) {
     figures_.push_back({frequency, phase, what, amount, certainty});
   }
-  void seconds(Frequency frequency, const char* phase, double amount) {
+  void seconds(Frequency frequency, const char* phase, double amount,
+               Certainty certainty = Certainty::Estimate) {
     seconds_ += amount;
-    add(frequency, phase, "seconds", amount, Certainty::Estimate);
+    add(frequency, phase, "seconds", amount, certainty);
   }
   [[nodiscard]] double factor_bytes() const {
     return number * static_cast<double>(known_.fronts.entries);
@@ -251,11 +252,13 @@ class Figures {
       residuals +=
           part * (system.rows.empty() ? 2 * steps_ : sparse ? 12 * steps_ : solves - steps_);
     }
-    add(Frequency::PerIteration, phase, "solves", all_solves, Certainty::Estimate);
+    // Bodies that move take several iterations a step, and how many is not known before.
+    const Certainty certainty = plan_.loop ? Certainty::AtLeast : Certainty::Estimate;
+    add(Frequency::PerIteration, phase, "solves", all_solves, certainty);
     add(Frequency::PerIteration, phase, "operations", walks * known_.fronts.solve_operations(),
-        Certainty::Estimate);
+        certainty);
     seconds(Frequency::PerIteration, phase,
-            walks * solve() + residuals * sample_.residual + equations);
+            walks * solve() + residuals * sample_.residual + equations, certainty);
   }
 
   /// Seconds of one solve: two walks through L.
