@@ -67,7 +67,8 @@ void ActiveSetFactor::remove_one(Index position) {
     turn.makeGivens(L_(j, j), L_(j, j + 1));
     L_.middleRows(j, last - j).applyOnTheRight(j, j + 1, turn);
     y_.applyOnTheLeft(j, j + 1, turn.adjoint());
-    Q_.applyOnTheRight(j, j + 1, turn);  // as the columns of H are \f$ QL^T \f$
+    // The columns of H are \f$ QL^T \f$, if they are kept.
+    if (Q_.rows() > 0) Q_.applyOnTheRight(j, j + 1, turn);
   }
   rows_.erase(rows_.begin() + position);
 }
