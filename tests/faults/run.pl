@@ -55,6 +55,7 @@ if ($check) {
 
 # The copy as the project is now, whatever the last run left; what is as it was keeps its date, and so its objects.
 chdir $root or die "$root: $!\n";
+if (-d $copy) { for my $file (split /\n/, `cd '$copy' && find src tests -type f`) { unlink "$copy/$file" if !-f $file } }
 for my $file (split /\0/, `git ls-files -z --cached --others --exclude-standard`) {
     next unless -f $file;
     next if -f "$copy/$file" && compare($file, "$copy/$file") == 0;
