@@ -48,9 +48,10 @@ Way way_of(const Mesh& mesh, const std::string& name, const Sides& sides) {
   Index last = -1;
   for (const CellSide& side : sides) {
     const std::vector<Index> nodes = mesh.side_nodes(side);
-    if (nodes.front() != last) way.parts.push_back({mesh.nodes.row(nodes.front()), mesh.nodes.row(nodes.back())});
+    const Eigen::Vector2d to = mesh.nodes.row(nodes.back());
+    if (nodes.front() != last) way.parts.push_back({mesh.nodes.row(nodes.front()), to});
     last = nodes.back();
-    way.parts.back().to = mesh.nodes.row(last);
+    way.parts.back().to = to;
   }
   return way;
 }

@@ -75,8 +75,10 @@ void follow(SceneRun& run, Ledger ledger, const StepObserver& observe, const Pro
                       number(gone.count() / steps * static_cast<double>(rest), "%.2g"), " s left"));
   };
   progress.say(text("step ", run.from.steps + 1, ", ", left(run.from.time), " to go"));
-  std::optional<Overdue> overdue;  // how many iterations a step of bodies that move takes nobody knows before
-  if (!model.loop) overdue.emplace(overdue_after(solving(), run.prediction), late_words(solving(), run));
+  // How many iterations a step of bodies that move takes is not known before.
+  std::optional<Overdue> overdue;
+  if (!model.loop)
+    overdue.emplace(overdue_after(solving(), run.prediction), late_words(solving(), run));
   run.end = solve_steps(model, path, std::move(ledger), each, run.from);
   stand(run.end->state, model);
 }

@@ -44,7 +44,9 @@ bool invert(const Element& element, const CellNodes& arms, Vector2d& local) {
 [[noreturn]] void refuse(const Mesh& mesh, const Vector2d& point) {
   Index nearest = 0;
   (mesh.nodes.rowwise() - point.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
-  const auto place = [](const auto& x) { return text('(', shortest(x(0)), ", ", shortest(x(1)), ')'); };
+  const auto place = [](const auto& x) {
+    return text('(', shortest(x(0)), ", ", shortest(x(1)), ')');
+  };
   throw ProblemError(text("the point ", place(point), " is not in '", mesh.name,
                           "': give one within its mesh, such as the nearest node ",
                           place(mesh.nodes.row(nearest))));

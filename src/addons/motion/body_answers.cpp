@@ -120,10 +120,10 @@ BodyAnswer BodyAnswers::at(const Model& model, const Displaced& at, const NodeAr
       if (tangent != nullptr && rest.places.size() > 0)
         add_values(answer.tangent, 1, rest.places.col(cell.number).data(), *tangent);
       const CellVector push = answer.tangent * gathered(cell, ahead);
+      const double farthest = gathered(cell, high).cwiseAbs().maxCoeff();
       const double size = answer.force.cwiseAbs().maxCoeff() +
                           answer.tangent.diagonal().maxCoeff() *
-                              rounding(u.cwiseAbs().maxCoeff(), gathered(cell, high).cwiseAbs().maxCoeff()) /
-                              certificate_tolerance;
+                              rounding(u.cwiseAbs().maxCoeff(), farthest) / certificate_tolerance;
       for (Index k = 0; k < answer.force.size(); ++k)
         if (const Index row = numbers.unknown(k); row >= 0) {
           all.force(row) += answer.force(k);
@@ -148,14 +148,6 @@ VectorXd outer_forces(const Model& model) {
     add_nodal_forces(body, nodal, load);
   }
   return load;
-}
-
-Model without_stiffness(Model& model) {
-  Eigen::SparseMatrix<double> aside;
-  aside.swap(model.programme.stiffness);
-  Model copy = model;
-  aside.swap(model.programme.stiffness);
-  return copy;
 }
 
 }  // namespace signorini

@@ -58,7 +58,4 @@ class BodyAnswers {
 /// \return `n` its loads on the unknowns, of temperatures too, not what supports cause [force]
 [[nodiscard]] Eigen::VectorXd outer_forces(const Model& model);
 
-/// \param model  any; the same afterwards \return a copy of it without K, which is large
-[[nodiscard]] Model without_stiffness(Model& model);
-
 }  // namespace signorini

@@ -18,8 +18,8 @@ const char* name_of(const StrainLaw* law) { return law == nullptr ? "small" : la
 /// A cell of small strain in a body that turns would be wrong. A cell with a law in a body of small strain would be of no use.
 void check_layers(const Body& body) {
   for (const Layer& layer : body.layers)
-    require_input((layer.material.law != nullptr) == (body.material.law != nullptr), "layer '", layer.region,
-                  "' of '", body.mesh.name, "': it has the law ", name_of(layer.material.law),
+    require_input((layer.material.law != nullptr) == (body.material.law != nullptr), "layer '",
+                  layer.region, "' of '", body.mesh.name, "': it has the law ", name_of(layer.material.law),
                   ", but its body ", name_of(body.material.law),
                   "; either all of a body has laws of finite strain, or nothing of it");
 }

@@ -29,7 +29,7 @@
 #include <optional>
 #include <utility>
 
-#include "addons/motion/body_answers.hpp"
+#include "addons/motion/linearised_model.hpp"
 #include "signorini/contact/gaps.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/index.hpp"

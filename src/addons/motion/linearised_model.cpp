@@ -52,6 +52,14 @@ NodeArray left_to_give(const Unknowns& unknowns, const Displaced& at) {
 
 }  // namespace
 
+Model without_stiffness(Model& model) {
+  Eigen::SparseMatrix<double> aside;
+  aside.swap(model.programme.stiffness);
+  Model copy = model;
+  aside.swap(model.programme.stiffness);
+  return copy;
+}
+
 LinearisedModel::LinearisedModel(const PlacePairs& place, const Displaced& before, Model& model)
     : place_(place),
       before_(before),

@@ -66,6 +66,9 @@ class LinearisedModel {
   Displaced at_;
 };
 
+/// \param model  any; the same afterwards \return a copy of it without K, which is large
+[[nodiscard]] Model without_stiffness(Model& model);
+
 /// The certificate of a state.
 /// \param claim  u from the scene, and forces
 /// \param model  that stands where the state has it, its gaps counted from the scene

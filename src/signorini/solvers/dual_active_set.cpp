@@ -235,7 +235,7 @@ void DualActiveSet::mark_stalled(const std::vector<Index>& rows) {
     if (state_[at(row)] == Row::Open) state_[at(row)] = Row::Stalled;
 }
 
-// Where the energy has risen, no set of before comes back.
+// Once the energy has risen, no earlier set can come back, and no row need be passed over.
 void DualActiveSet::forget_stalled() {
   std::replace(state_.begin(), state_.end(), Row::Stalled, Row::Open);
 }
