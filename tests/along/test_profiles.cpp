@@ -75,7 +75,7 @@ TEST_CASE("profiles of a circle converge to it: polylines as h^2, splines as h^4
   CHECK(coarse <= 1.01 * h * h / 16);
   CHECK(coarse >= 0.8 * h * h / 16);
   CHECK(turned <= 1.01 * h / 4);
-  CHECK(coarse / errors(polyline(arc(80))).first == Approx(4).epsilon(0.001));
+  CHECK(coarse / errors(polyline(arc(80))).first == Approx(4).epsilon(0.0001));
   const auto [smooth, smooth_turned] = errors(spline(arc(40)));
   CHECK(smooth / errors(spline(arc(80))).first == Approx(16).epsilon(0.002));
   CHECK(smooth_turned / errors(spline(arc(80))).second == Approx(8).epsilon(0.002));
