@@ -99,18 +99,33 @@ Vector2d carried_there(const Pairs& there, Index pair, const Vector2d& f) {
   return Vector2d(f.dot(n), f.x() * n.y() - f.y() * n.x()) / n.squaredNorm();
 }
 
-/// Adds the force of a pair, as Resultants has it.
-void add_pair(const Pairs& there, Index pair, const Vector2d& forces, bool axial, BondForces& sum) {
+/// Adds what a pair bears by its weight.
+void add_pressure(const Pairs& there, Index pair, const Vector2d& forces, BondForces& sum) {
   const double pressure = forces.x() / there.weight(pair);
   sum.least_pressure = pair == 0 ? pressure : std::min(sum.least_pressure, pressure);
   sum.largest_pressure = pair == 0 ? pressure : std::max(sum.largest_pressure, pressure);
   sum.largest_shear = std::max(sum.largest_shear, std::abs(forces.y()) / there.weight(pair));
+}
+
+/// Adds the force of a pair, as Resultants has it.
+void add_pair(const Pairs& there, Index pair, const Vector2d& forces, bool axial, BondForces& sum) {
   add_force(there.position.row(pair).transpose(), push(there, pair, forces), axial, sum);
   if (!axial) sum.moment += there.moment.row(pair).dot(forces.transpose());
 }
 
-/// The sums of a tie.
-void add_pairs(const Model& model, const Bond& bond, const VectorXd& row_force, BondForces& sum) {
+/// The sums of the forces on some nodes.
+void add_nodes(const Model& model, const std::vector<Index>& nodes, const VectorXd& nodal,
+               BondForces& sum) {
+  for (const Index node : nodes) {
+    const BodyModel& body = model.bodies[body_of_node(model.bodies, node)];
+    add_force(place_of(model, body, node), nodal.segment<2>(2 * node), is_axial(body), sum);
+  }
+}
+
+/// The sums of a tie. Where bodies have moved its rows are those of the meshes, and push on nodes: so what the nodes of its source
+/// receive is summed, where they stand.
+void add_pairs(const Model& model, const Bond& bond, const VectorXd& row_force, const VectorXd& nodal,
+               BondForces& sum) {
   const Index pairs = bond.pairs.weight.size();
   NodeArray forces = NodeArray::Zero(pairs, 2);
   for (std::size_t k = bond.first; k < bond.end; ++k) {
@@ -121,18 +136,16 @@ void add_pairs(const Model& model, const Bond& bond, const VectorXd& row_force, 
   const bool axial = is_axial(model.bodies.front());
   const Pairs there = pairs_there(model, bond);
   for (Index pair = 0; pair < pairs; ++pair) {
-    Vector2d own = forces.row(pair).transpose();
-    if (model.standing) own = carried_there(there, pair, push(bond.pairs, pair, own));
-    add_pair(there, pair, own, axial, sum);
+    const Vector2d own = forces.row(pair).transpose();
+    add_pressure(there, pair,
+                 model.standing ? carried_there(there, pair, push(bond.pairs, pair, own)) : own, sum);
+    if (!model.standing) add_pair(there, pair, own, axial, sum);
   }
-}
-
-/// The sums of the forces on the nodes of a bond without sides that face each other.
-void add_nodes(const Model& model, const Bond& bond, const VectorXd& nodal, BondForces& sum) {
-  for (const Index node : bond.nodes) {
-    const BodyModel& body = model.bodies[body_of_node(model.bodies, node)];
-    add_force(place_of(model, body, node), nodal.segment<2>(2 * node), is_axial(body), sum);
-  }
+  if (!model.standing) return;
+  const Surface source = surface(model.bodies, bond.sides->source);
+  std::vector<Index> nodes = boundary_nodes(source.mesh, source.boundary);
+  for (Index& node : nodes) node += source.first_node;
+  add_nodes(model, nodes, nodal, sum);
 }
 
 }  // namespace
@@ -144,17 +157,17 @@ std::vector<BondForces> bond_forces(const Model& model, const Solution& solution
     BondForces& sum = sums.emplace_back();
     sum.name = bond.name;
     sum.has_sides = bond.nodes.empty();
-    if (sum.has_sides) {
-      add_pairs(model, bond, solution.equation_force, sum);
-      continue;
-    }
     VectorXd own = VectorXd::Zero(solution.equation_force.size());
     const Index first = static_cast<Index>(bond.first);
     const Index count = static_cast<Index>(bond.end) - first;
     own.segment(first, count) = solution.equation_force.segment(first, count);
     VectorXd nodal = all.matrix.transpose() * own;
+    if (sum.has_sides) {
+      add_pairs(model, bond, solution.equation_force, nodal, sum);
+      continue;
+    }
     add_loads(bond, nodal);
-    add_nodes(model, bond, nodal, sum);
+    add_nodes(model, bond.nodes, nodal, sum);
   }
   return sums;
 }

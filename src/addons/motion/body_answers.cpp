@@ -35,10 +35,6 @@ struct Numbers {
   }
 };
 
-/// What rounding may have done to the displacements of a cell: a cell that has turned strains by what little its terms leave.
-/// \param within  the largest displacement beside its first node \param whole  the largest, in two doubles
-double rounding(double within, double whole) { return 4 * epsilon * (within + epsilon * whole); }
-
 /// Where the entries of a cell are among the values of K, which has all of them, column by column; -1 of held components.
 void find_places(const Numbers& numbers, Eigen::SparseMatrix<double>& K, int* place) {
   const Index n = 2 * numbers.cell.element.n_nodes;
@@ -68,12 +64,17 @@ void add_springs(const BodyModel& body, const NodeArray& own, VectorXd& sum) {
 
 }  // namespace
 
+double rounding_of_places(double within, double whole) {
+  return 4 * epsilon * (within + epsilon * whole);
+}
+
 BodyAnswers::BodyAnswers(const Model& model) : rest_(stiffness_of_bodies(model)) {
   for (const BodyModel& body : model.bodies) {
     const Index entries = 4 * body.element.n_nodes * body.element.n_nodes;
     const bool finite = body.material.base.law != nullptr;
     finite_ = finite_ || finite;
     BodyAtRest& own = bodies_.emplace_back();
+    own.farthest = body.mesh.nodes.cwiseAbs().maxCoeff();
     if (finite)
       own.places.resize(entries, body.mesh.n_cells());
     else
@@ -120,10 +121,11 @@ BodyAnswer BodyAnswers::at(const Model& model, const Displaced& at, const NodeAr
       if (tangent != nullptr && rest.places.size() > 0)
         add_values(answer.tangent, 1, rest.places.col(cell.number).data(), *tangent);
       const CellVector push = answer.tangent * gathered(cell, ahead);
-      const double farthest = gathered(cell, high).cwiseAbs().maxCoeff();
+      const double farthest = rest.farthest + gathered(cell, high).cwiseAbs().maxCoeff();
       const double size = answer.force.cwiseAbs().maxCoeff() +
                           answer.tangent.diagonal().maxCoeff() *
-                              rounding(u.cwiseAbs().maxCoeff(), farthest) / certificate_tolerance;
+                              rounding_of_places(u.cwiseAbs().maxCoeff(), farthest) /
+                              certificate_tolerance;
       for (Index k = 0; k < answer.force.size(); ++k)
         if (const Index row = numbers.unknown(k); row >= 0) {
           all.force(row) += answer.force(k);

@@ -11,6 +11,12 @@
 
 namespace signorini {
 
+/// What rounding may have done to displacements: a cell that has turned strains by what little its terms leave, and what is closed
+/// stands at the sum of a place in the mesh and a displacement.
+/// \param within  the largest displacement beside that of a node [length]
+/// \param whole   the largest place, in two doubles [length] \return [length]
+[[nodiscard]] double rounding_of_places(double within, double whole);
+
 /// What the bodies of a model answer at a place.
 struct BodyAnswer {
   Eigen::VectorXd force;  ///< `n` internal forces on the unknowns, springs too [force]
@@ -41,7 +47,9 @@ class BodyAnswers {
   [[nodiscard]] bool finite() const { return finite_; }
 
  private:
-  struct BodyAtRest {  // one or the other, a column for each cell
+  struct BodyAtRest {
+    double farthest = 0;  // place of a node from the origin
+    // One or the other, a column for each cell:
     Eigen::MatrixXd stiffness;  // of small strain: K of the cell
     Eigen::MatrixXi places;     // with a law: of its entries among the values of K
   };

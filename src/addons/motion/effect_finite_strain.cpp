@@ -43,6 +43,10 @@ void declare_finite_strain(const Scene& scene, Plan& draft) {
                             scene.bodies[b].material.law->name,
                             "; mostly 4 to 10 tangents a step, each with pairs where bodies stand then, "
                             "and a factor"));
+    if (draft.bodies[b].material.base.state == PlaneState::Stress && !scene.contacts.empty())
+      draft.notes.push_back(text("'", draft.bodies[b].mesh.name,
+                                 "' is a sheet that becomes thinner or thicker: pressures and shear of its "
+                                 "contacts are forces over lengths where it stands and its thickness before strain"));
   }
   move_pairs(scene, draft);
 }

@@ -25,7 +25,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -33,7 +32,9 @@
 #include "signorini/contact/gaps.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/index.hpp"
+#include "signorini/core/wording.hpp"
 #include "signorini/fem/strain_law.hpp"
+#include "signorini/scene/motions.hpp"
 #include "signorini/scene/scene.hpp"
 
 namespace signorini {
@@ -98,8 +99,8 @@ std::optional<Corrected> try_rung(std::size_t number, const TangentProblem& prob
 
 /// The side of a cell with a law that is shortened most, in words.
 std::string most_shortened(const Model& model) {
-  double least = std::numeric_limits<double>::infinity();
-  std::string words;
+  double least = 1;
+  std::string words = "no side of a cell is shorter than it was";
   for (const BodyModel& body : model.bodies) {
     if (body.material.base.law == nullptr) continue;
     const Mesh& mesh = body.mesh;
@@ -116,7 +117,7 @@ std::string most_shortened(const Model& model) {
                      body.material.base.law->name, ") is ", left, " of what it was");
       }
   }
-  return words.empty() ? "all strains are small" : words;
+  return words;
 }
 
 }  // namespace
@@ -136,7 +137,7 @@ Solution solve_with_tangent(const TangentProblem& problem, Condensed& condensed,
   if (!solution) {
     solution.emplace();
     solution->contact.report.status = SolveStatus::Breakdown;
-    solution->contact.reason = why_indefinite(problem.model, ladder.size());
+    solution->contact.reason = why_indefinite(problem.model, problem.held, ladder.size());
   }
   solution->ledger = std::move(ledger);
   return *std::move(solution);
@@ -153,7 +154,11 @@ std::vector<Index> held_rows(const std::vector<ContactStatus>& statuses, const F
   return rows;
 }
 
-std::string why_indefinite(const Model& model, std::size_t rung) {
+std::string why_indefinite(const Model& model, const std::vector<Index>& held, std::size_t rung) {
+  if (held.empty() && !model.modes.empty())
+    return text("no pair presses, and nothing else holds the bodies: ",
+                joined(motions_without_contact(selected_rows(model.programme.A, {}), model.modes), "; "),
+                ". Turn the load round or add a support");
   if (rung < stiff_springs) return {};
   return text("the tangent is indefinite, however stiffly closed pairs hold it: a body has lost its stability, where ",
               most_shortened(model),

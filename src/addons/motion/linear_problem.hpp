@@ -34,8 +34,11 @@ struct TangentProblem {
                                           Ledger ledger);
 
 /// \param model  placed
+/// \param held   rows that held in its last iteration
 /// \param rung   of the ladder, that held in its last iteration
-/// \return why that tangent needed springs: which body, at which strain; empty if it needed none
-[[nodiscard]] std::string why_indefinite(const Model& model, std::size_t rung);
+/// \return what is wrong with that tangent: nothing holds a body, or it needed springs, where a body has lost its stability at which
+///   strain; empty if nothing is
+[[nodiscard]] std::string why_indefinite(const Model& model, const std::vector<Eigen::Index>& held,
+                                         std::size_t rung);
 
 }  // namespace signorini

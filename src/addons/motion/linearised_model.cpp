@@ -27,12 +27,16 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// How far the unknowns have moved, less the mean of their body: a body that is carried far is no better measured by that.
+/// How far the unknowns have moved, less the mean of their body: a body that is carried far is no better measured by that. No
+/// less than a way whose certificate_tolerance is the rounding of places: bodies that only touch, and bear nothing, leave no more.
 VectorXd moved_within(const Model& model, const Displaced& at) {
   NodeArray moved = at.high;
   for (const BodyModel& body : model.bodies) {
     auto own = moved.middleRows(body.first_node, body.mesh.n_nodes());
+    const double farthest =
+        body.mesh.nodes.cwiseAbs().maxCoeff() + own.cwiseAbs().maxCoeff();
     own.rowwise() -= own.colwise().mean().eval();
+    own = own.cwiseAbs().cwiseMax(rounding_of_places(0, farthest) / certificate_tolerance).eval();
   }
   return restricted(model.unknowns, moved);
 }

@@ -13,6 +13,7 @@
 #include "addons/motion/moved_pairs.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <string>
@@ -78,6 +79,31 @@ NodeArray moved_since(const Scene& scene, const Displaced& before, const Displac
   return moved.rounded + (moved.rest - rest);
 }
 
+/// How far a node has slid along an obstacle that stands still, if it has moved by `way` and the tangents there and where it came
+/// from are known. The angle between these is that of an arc, whose chord is the way: from \f$ \theta \f$ to 0 on a circle of radius R
+/// it is \f$ R\theta \f$, where the way along the last tangent is \f$ R\sin\theta \f$. A surface that turns back has no such arc.
+double along_arc(const Eigen::Vector2d& from, const Eigen::Vector2d& to, const Eigen::Vector2d& way) {
+  const Eigen::Vector2d middle = from + to;
+  const double half = std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to)) / 2;
+  if (half == 0 || middle.norm() < std::abs(std::sin(half))) return to.dot(way);
+  return middle.normalized().dot(way) * half / std::sin(half);
+}
+
+/// The slips of a contact with an obstacle since the last step.
+Eigen::VectorXd slid_on(const Obstacle& obstacle, const Pairs& pairs, const NodeArray& since) {
+  Eigen::VectorXd slid(pairs.weight.size());
+  for (Eigen::Index pair = 0; pair < slid.size(); ++pair) {
+    Eigen::Vector2d way(0, 0);
+    for (NodalRows::InnerIterator entry(pairs.opening, pair); entry; ++entry)
+      way = since.row(entry.col() / 2).transpose();
+    const Eigen::Vector2d there = pairs.position.row(pair).transpose();
+    const Eigen::Vector2d n0 = obstacle.look(there - way).normal;
+    const Eigen::Vector2d n = pairs.normal.row(pair).transpose();
+    slid(pair) = along_arc({n0.y(), -n0.x()}, {n.y(), -n.x()}, way);
+  }
+  return slid;
+}
+
 /// What supports still have to move, from the rounded places.
 Unknowns from_there(Unknowns unknowns, const Displaced& u, const NodeArray& rest) {
   unknowns.held = (unknowns.number < 0).select(((unknowns.held - u.high) - u.low) + rest, 0);
@@ -112,10 +138,10 @@ void place_bodies(const Scene& scene, const Displaced& displacement, const Displ
       Standing{displacement.high, moved_since(scene, before, displacement, now.rest)});
   if (!displacement.high.isZero(0)) standing->reach = smallest_size(model);
   draft.standing = standing;
-  // A rigid obstacle stands still: what a node has moved since the last step is its slip.
-  draft.fits = {[&standing = *standing](const ContactSpec& /*contact*/, Pairs& pairs) {
-    if (pairs.slid.size() == 0 && pairs.sliding.nonZeros() > 0)
-      pairs.slid = pairs.sliding * standing.since.reshaped<Eigen::RowMajor>();
+  draft.fits = {[&standing = *standing](const ContactSpec& contact, Pairs& pairs) {
+    const Obstacle* const obstacle = std::get_if<Obstacle>(&contact.target);
+    if (obstacle != nullptr && pairs.sliding.nonZeros() > 0)
+      pairs.slid = slid_on(*obstacle, pairs, standing.since);
     return std::string();
   }};
   draft.unknowns = from_there(model.unknowns, displacement, now.rest);

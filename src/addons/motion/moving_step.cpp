@@ -62,6 +62,7 @@ struct Moving {
   void hand_on(const std::vector<PairName>& names, const std::vector<ContactStatus>& statuses);
   void begin(const VectorXd& expected);
   bool ends(Solution& solution);
+  void restore() const;
   Solution solved(const VectorXd& expected);
 };
 
@@ -74,11 +75,11 @@ TurnedForces Moving::turned_forces() const {
   };
 }
 
-/// With the factor of the scene as long as that is the one of K.
+/// With the factor of the scene as long as that is the one of K, which it stays if no unknown is left to supports.
 Solution Moving::linear_problem() {
   const bool rest = place.at_rest();
   const TurnedForces turned = turned_forces();
-  if (rest || !place.finite()) {
+  if (rest || !place.finite() || model.unknowns.count == 0) {
     condensed.factor = factor;
     VectorXd free = rest ? std::exchange(condensed.free_displacement, {})
                          : factor.solve(model.programme.load);
@@ -177,21 +178,31 @@ bool Moving::ends(Solution& solution) {
     hand_on(names, all_statuses(solution.contact));
   }
   solution.contact.report.status = SolveStatus::IterationLimit;
-  solution.contact.reason = why_not_ended(reason, why_indefinite(model, rung));
+  solution.contact.reason = why_not_ended(reason, why_indefinite(model, held, rung));
   return false;
+}
+
+/// The first step may be tried again, from rest, and any step after it failed.
+void Moving::restore() const {
+  condensed.factor = factor;
+  place.restore();
 }
 
 Solution Moving::solved(const VectorXd& expected) {
   Solution solution;
-  begin(expected);
-  if (ends(solution)) {
-    place.conclude(solution);
-    judge_turns(model, solution);
-    if (solution.contact.report.status == SolveStatus::Solved)
-      judge_solution(model, condensed, solution);
+  try {
+    begin(expected);
+    if (ends(solution)) {
+      place.conclude(solution);
+      judge_turns(model, solution);
+      if (solution.contact.report.status == SolveStatus::Solved)
+        judge_solution(model, condensed, solution);
+    }
+  } catch (const ProblemError&) {
+    restore();
+    throw;
   }
-  condensed.factor = factor;  // the first step may be tried again, from rest
-  place.restore();
+  restore();
   solution.ledger = std::move(ledger);
   return solution;
 }

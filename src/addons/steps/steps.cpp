@@ -155,14 +155,29 @@ struct Walk {
   double target = 0;
   double held = std::numeric_limits<double>::infinity();  // how far statics lets the path go
 
+  Step taken(double time);
   bool goes(double time);
   bool passes_change(double reach, bool looks_for_it);
   bool reaches(double time);
 };
 
+/// A step of this path. What the first one refuses is an input that is wrong; what a later one cannot do is a step that is not solved,
+/// and all before it stays.
+Step Walk::taken(double time) {
+  try {
+    return step(end.state, time, model, path, std::exchange(ledger, {}));
+  } catch (const ProblemError& error) {
+    if (end.state.steps == 0) throw;
+    Step none{{}, end.state};
+    none.solution.contact.report.status = SolveStatus::Breakdown;
+    none.solution.contact.reason = error.what();
+    return none;
+  }
+}
+
 /// Takes one step, as long as it may be.
 bool Walk::goes(double time) {
-  const Step next = step(end.state, time, model, path, std::exchange(ledger, {}));
+  const Step next = taken(time);
   if (next.solution.contact.report.status == SolveStatus::Solved) {
     end.state = next.state;
     if (observe) observe(model, next);

@@ -56,27 +56,52 @@ void write_matrix(Entries entries, const Eigen::VectorXd& total, Index columns,
   for (Index row = 0; row < total.size(); ++row) matrix.row(row) /= total(row);
 }
 
-/// The way from the place on the target to the point that faces it, and along the target, against the walking
-/// direction, \f$ w = x - \bar x \f$ and \f$ a \f$. Both are sums over nodes, counted from a node of the target, so that nothing is
-/// lost far from the origin. Of places of nodes they are w and a, of what nodes have moved they are what w and a have changed.
-struct Facing {
-  Vector2d way = {0, 0}, along = {0, 0};
+/// The way from the place on the target to the point that faces it, \f$ w = x - \bar x \f$: a sum over nodes, counted from a node of
+/// the target, so that nothing is lost far from the origin. Of places of nodes it is w, of what nodes have moved it is what w has
+/// changed.
+Vector2d way_of(const PairPoint& point, const SideCurve& target,
+                const Eigen::Ref<const NodeArray>& of_source,
+                const Eigen::Ref<const NodeArray>& of_target) {
+  const auto anchor = of_target.row(target.nodes().front());
+  const SideShape here = point.side->shape(point.xi);
+  const SideShape there = target.shape(point.place.xi);
+  Vector2d way(0, 0);
+  for (std::size_t k = 0; k < point.side->nodes().size(); ++k)
+    way += here.value(static_cast<Index>(k)) * (of_source.row(point.side->nodes()[k]) - anchor);
+  for (std::size_t k = 0; k < target.nodes().size(); ++k)
+    way -= there.value(static_cast<Index>(k)) * (of_target.row(target.nodes()[k]) - anchor);
+  return way;
+}
 
-  Facing(const PairPoint& point, const SideCurve& target,
-         const Eigen::Ref<const NodeArray>& of_source,
-         const Eigen::Ref<const NodeArray>& of_target) {
-    const auto anchor = of_target.row(target.nodes().front());
-    const SideShape here = point.side->shape(point.xi);
-    const SideShape there = target.shape(point.place.xi);
-    for (std::size_t k = 0; k < point.side->nodes().size(); ++k)
-      way += here.value(static_cast<Index>(k)) * (of_source.row(point.side->nodes()[k]) - anchor);
-    for (std::size_t k = 0; k < target.nodes().size(); ++k) {
-      const Vector2d node = of_target.row(target.nodes()[k]) - anchor;
-      way -= there.value(static_cast<Index>(k)) * node;
-      along -= there.slope(static_cast<Index>(k)) * node;
-    }
-  }
-};
+/// Along a side of the target, in the same two readings.
+Vector2d along(const SideCurve& side, double xi, const Eigen::Ref<const NodeArray>& of_target) {
+  const SideShape there = side.shape(xi);
+  Vector2d along(0, 0);
+  for (std::size_t k = 1; k < side.nodes().size(); ++k)  // slopes add up to 0
+    along += there.slope(static_cast<Index>(k)) *
+             (of_target.row(side.nodes()[k]) - of_target.row(side.nodes()[0]));
+  return along;
+}
+
+/// By how much less than a vector is what it was before the target turned to where it is: \f$ t - t_0 \f$. A vertex turns as the
+/// mean of its two sides.
+Vector2d turned_since(const Interface& interface, const Projection& place, const Vector2d& t,
+                      const NodeArray& since) {
+  const Surface& target = interface.target;
+  const auto moved = since.middleRows(target.first_node, target.mesh.n_nodes());
+  Vector2d now(0, 0), then(0, 0);
+  const auto add = [&](const SideCurve& side, double xi) {
+    const Vector2d here = along(side, xi, target.mesh.nodes);
+    now += here.normalized();
+    then += (here - along(side, xi, moved)).normalized();
+  };
+  add(interface.search.side(place.side), place.xi);
+  if (place.next >= 0) add(interface.search.side(place.next), -place.xi);
+  now.normalize();
+  then.normalize();
+  const double sine = now.x() * then.y() - now.y() * then.x();
+  return sine * sine / (1 + now.dot(then)) * t + sine * Vector2d(t.y(), -t.x());
+}
 
 /// How far a point has slid since the nodes stood elsewhere: by how much two places that face each
 /// other now lay apart along the target then. Take a node that stood above the place 0 of a straight
@@ -89,12 +114,14 @@ struct Facing {
 double slid(const Interface& interface, const PairPoint& point, const NodeArray& since) {
   const SideCurve& target = interface.search.side(point.place.side);
   const Surface &one = interface.source, &other = interface.target;
-  const Facing now(point, target, one.mesh.nodes, other.mesh.nodes);
-  const Facing moved(point, target, since.middleRows(one.first_node, one.mesh.n_nodes()),
-                     since.middleRows(other.first_node, other.mesh.n_nodes()));
-  const Vector2d tangent = now.along.normalized();
-  const Vector2d turned = tangent - (now.along - moved.along).normalized();
-  return tangent.dot(moved.way) + turned.dot(now.way - moved.way);
+  const Vector2d& n = point.place.normal;
+  const Vector2d tangent(n.y(), -n.x());
+  const Vector2d now = way_of(point, target, one.mesh.nodes, other.mesh.nodes);
+  const Vector2d moved =
+      way_of(point, target, since.middleRows(one.first_node, one.mesh.n_nodes()),
+             since.middleRows(other.first_node, other.mesh.n_nodes()));
+  return tangent.dot(moved) +
+         turned_since(interface, point.place, tangent, since).dot(now - moved);
 }
 
 }  // namespace

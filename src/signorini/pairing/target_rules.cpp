@@ -111,7 +111,9 @@ Projection TargetSearch::at_vertex(Index number, int end, const Query& query) co
   const bool between = next_faces(number, end, query);
   Projection found;
   found.found = true;
+  // Both sides turn what is at their vertex.
   found.side = between ? std::min(number, next) : number;
+  if (between) found.next = std::max(number, next);
   found.xi = found.side == number ? end : -end;
   found.point = side(number).point(end);
   const Vector2d arm = query.x - found.point;

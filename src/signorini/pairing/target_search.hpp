@@ -19,6 +19,7 @@ namespace signorini {
 struct Projection {
   bool found = false;      ///< whether there is one; if not, only the last three say anything
   Eigen::Index side = -1;  ///< number in the list of sides of the boundary
+  Eigen::Index next = -1;  ///< of the other side that meets it there, if the place is their vertex; else -1
   double xi = 0;           ///< place along the side [-]; beyond [-1, 1] by end_tolerance at most
   AnchoredPoint point = {0, 0};                      ///< the place
   Eigen::Vector2d normal = Eigen::Vector2d::Zero();  ///< unit vector out of the target [-]

@@ -1,0 +1,220 @@
+// Bodies that move, where little is left: no load, no unknown, no pair, a vertex, a full turn of a shaft.
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "addons/equations/equations.hpp"
+#include "addons/files/scene_file.hpp"
+#include "addons/steps/steps.hpp"
+#include "catch_compat.hpp"
+#include "signorini/scene/bodies.hpp"
+
+using namespace signorini;
+using Eigen::Index;
+using Eigen::VectorXd;
+
+namespace {
+
+/// A path that was walked, and its last step.
+struct Walked {
+  PathEnd end;
+  Step last;
+  Model model;
+};
+
+Walked walked(const std::string& text) {
+  Walked all;
+  const Scene scene = parse_scene(text, "name", ".").scene;
+  all.end = solve_steps(scene, [&](const Model& model, const Step& step) {
+    all.last = step;
+    all.model = model;
+  });
+  return all;
+}
+
+std::string block(const std::string& name, const std::string& mesh, const std::string& law) {
+  return "[[body]]\nname = \"" + name + "\"\nelement = \"q4\"\nmesh = { kind = \"block\", " + mesh +
+         " }\nmaterial = { youngs_modulus = 1000, poisson_ratio = 0.35" + law + " }\n";
+}
+
+const std::string rubber = ", law = \"neo_hooke\"";
+const std::string ground =
+    "[[contact]]\nsource = \"bottom\"\ntarget = { kind = \"half_plane\", point = [0, 0], normal = [0, 1] }\n";
+
+double largest_force(const Walked& all) { return all.last.solution.contact.force.lpNorm<Eigen::Infinity>(); }
+
+}  // namespace
+
+TEST_CASE("bodies that are pressed and let go bear nothing, as if they had never moved", "[motion]") {
+  const std::string law = GENERATE(as<std::string>(), "", rubber);
+  const std::string friction = GENERATE(as<std::string>(), "", "friction = 0.3\n");
+  CAPTURE(law, friction);
+  const Walked all = walked("moves = true\n" + block("block", "size = [1.5, 1], cells = [3, 2]", law) +
+                            "prescribed = { top = { x = 0, y = -0.002, history = \"press\" } }\n" + ground +
+                            friction + "[[steps]]\ncount = 2\nvalues = { press = 1 }\n[[steps]]\ncount = 2\nvalues = { press = 0 }\n");
+  CAPTURE(all.end.reason);
+  REQUIRE(all.end.status == SolveStatus::Solved);
+  CHECK(all.end.state.steps == 4);
+  CHECK(all.last.solution.certificate.holds());
+  CHECK(largest_force(all) < 1e-25);  // of 1000 times an area of .25
+}
+
+TEST_CASE("a body that is dragged along another one that it just touches is left alone", "[motion]") {
+  const double way = GENERATE(0.25, 0.3, 0.5, 1.0);
+  CAPTURE(way);
+  const Walked all = walked(
+      "moves = true\n" + block("base", "size = [3, 1], cells = [6, 2]", rubber) + "fixed = \"bottom\"\n" +
+      block("block", "corner = [1.05, 1], size = [1.5, 1], cells = [3, 2]", rubber) +
+      "prescribed = { top = { x = " + std::to_string(way) + ", y = 0, history = \"drag\" } }\n" +
+      "[[contact]]\nsource = \"block.bottom\"\ntarget = \"base.top\"\n[[steps]]\nvalues = { drag = 1 }\n");
+  CAPTURE(all.end.reason);
+  REQUIRE(all.end.status == SolveStatus::Solved);
+  CHECK(largest_force(all) < 1e-25);
+}
+
+TEST_CASE("a cell without a free unknown goes through all its steps", "[motion]") {
+  const std::string state = GENERATE(as<std::string>(), "", ", state = \"plane stress\"");
+  const Walked all = walked(block("block", "size = [1, 1], cells = [1, 1]", rubber + state) +
+                            "prescribed = { top = { x = 0, y = 0.1, history = \"a\" } }\nfixed = \"bottom\"\n[[steps]]\ncount = 3\nvalues = { a = 1 }\n");
+  REQUIRE(all.end.status == SolveStatus::Solved);
+  CHECK(all.end.state.steps == 3);
+  CHECK(all.last.solution.displacements[0].maxCoeff() == 0.1);
+}
+
+// By bisection of the stress across: mu (F - 1/F) + lambda ln(s^2 F) / F = 0 for the stretches s along both axes.
+TEST_CASE("a sheet of rubber is stretched to three times its sides", "[motion][closed-form]") {
+  const double nu = GENERATE(0.3, 0.45, 0.49, 0.499);
+  const int count = GENERATE(1, 4, 10);
+  CAPTURE(nu, count);
+  std::string text = block("sheet", "size = [2, 1], cells = [4, 2]", rubber + ", state = \"plane stress\"");
+  text.replace(text.find("0.35"), 4, std::to_string(nu));
+  const Walked all = walked(text + "prescribed = { top = { y = 2, history = \"a\" }, right = { x = 4, history = \"a\" } }\n" +
+                            "symmetric = [\"left\", \"bottom\"]\n[[steps]]\ncount = " + std::to_string(count) +
+                            "\nvalues = { a = 1 }\n");
+  CAPTURE(all.end.reason);
+  REQUIRE(all.end.status == SolveStatus::Solved);
+  const double ratio = 2 * nu / (1 - 2 * nu);  // lambda over mu
+  double low = 0, high = 1;
+  for (int k = 0; k < 200; ++k) {
+    const double F = (low + high) / 2;
+    (F * F - 1 + ratio * std::log(9 * F) > 0 ? high : low) = F;
+  }
+  // The true stress along the sheet: mu (s^2 - 1) / J + lambda ln J / J, and nothing across.
+  const double J = 9 * low, mu = 1000 / (2 * (1 + nu));
+  const double stress = mu * (8 + ratio * std::log(J)) / J;
+  const NodeArray forces = support_forces(all.model, all.last.solution, 0);
+  const Mesh& mesh = all.model.bodies[0].mesh;
+  double top = 0;
+  for (const Index node : boundary_nodes(mesh, "top")) top += forces(node, 1);
+  CHECK(top == Approx(stress * 6 * low).epsilon(1e-9));
+}
+
+TEST_CASE("what a later step cannot do keeps the steps before it, and is no bad input", "[motion][errors]") {
+  std::string text = block("sheet", "size = [2, 1], cells = [4, 2]",
+                           ", law = \"st_venant_kirchhoff\", state = \"plane stress\"");
+  const Walked all = walked(text + "prescribed = { top = { y = 2, history = \"a\" }, right = { x = 4, history = \"a\" } }\n" +
+                            "symmetric = [\"left\", \"bottom\"]\n[[steps]]\ncount = 8\nvalues = { a = 1 }\n");
+  CHECK(all.end.status != SolveStatus::Solved);
+  CHECK(all.end.state.steps > 0);
+  CHECK_THAT(all.end.reason, ContainsSubstring("no strain across"));
+}
+
+TEST_CASE("a body that nothing holds is not said to be unstable", "[motion][errors]") {
+  const Walked all = walked("moves = true\n" + block("block", "size = [1.5, 1], cells = [3, 2]", rubber) +
+                            "symmetric = \"left\"\npressure = { top = { value = -1, history = \"pull\" } }\n" + ground +
+                            "[[steps]]\nvalues = { pull = 1 }\n");
+  CHECK(all.end.status != SolveStatus::Solved);
+  CHECK_THAT(all.end.reason, ContainsSubstring("can move freely in direction y"));
+  CHECK_THAT(all.end.reason, !ContainsSubstring("stability"));
+}
+
+TEST_CASE("forces and moments of a tie that has moved are those of its supports", "[motion][ties]") {
+  const std::string cells = GENERATE(as<std::string>(), "[1, 2]", "[3, 2]", "[4, 2]");
+  CAPTURE(cells);
+  const Walked all = walked(block("low", "size = [2, 1], cells = [4, 2]", rubber) + "fixed = \"bottom\"\n" +
+                            block("up", "corner = [0, 1], size = [2, 1], cells = " + cells, rubber) +
+                            "prescribed = { top = { x = 0.8, y = -0.4, history = \"a\" } }\n" +
+                            "[[tie]]\nsource = \"up.bottom\"\ntarget = \"low.top\"\n[[steps]]\ncount = 8\nvalues = { a = 1 }\n");
+  CAPTURE(all.end.reason);
+  REQUIRE(all.end.status == SolveStatus::Solved);
+  const NodeArray forces = support_forces(all.model, all.last.solution, 0);
+  const Mesh& mesh = all.model.bodies[0].mesh;
+  Eigen::Vector2d force(0, 0);
+  double moment = 0;
+  for (const Index node : boundary_nodes(mesh, "bottom")) {
+    const Eigen::RowVector2d x = mesh.nodes.row(node), f = forces.row(node);
+    force += f.transpose();
+    moment += x.x() * f.y() - x.y() * f.x();
+  }
+  const BondForces tie = bond_forces(all.model, all.last.solution).front();
+  CHECK((tie.force - force).norm() < 1e-10 * force.norm());
+  CHECK(tie.moment == Approx(moment).epsilon(1e-10));
+}
+
+namespace {
+
+/// A rubber pad over the tip of a wedge, pressed and then dragged.
+Walked over_a_tip(double drag, int cells) {
+  const std::string of = ", law = \"neo_hooke\" }\n";
+  return walked("moves = true\n[[body]]\nname = \"wedge\"\nelement = \"q4\"\nmesh = { kind = \"block\", size = [1, 1], cells = [4, 4], corner = [-1, -1], turn = 45 }\n"
+                "material = { youngs_modulus = 10, poisson_ratio = 0.3" + of + "fixed = [\"left\", \"bottom\"]\n"
+                "[[body]]\nname = \"pad\"\nelement = \"q4\"\nmesh = { kind = \"block\", corner = [-1, 0.01], size = [2, 1], cells = [" +
+                std::to_string(cells) + ", 4] }\nmaterial = { youngs_modulus = 1, poisson_ratio = 0.3" + of +
+                "prescribed = { top = [{ x = " + std::to_string(drag) + ", history = \"drag\" }, { y = -0.15, history = \"press\" }] }\n"
+                "[[contact]]\nsource = \"pad.bottom\"\ntarget = [\"wedge.right\", \"wedge.top\"]\nfriction = 0.8\n"
+                "[[steps]]\ncount = 2\nvalues = { press = 1 }\n[[steps]]\nvalues = { drag = 1 }\n[[steps]]\nvalues = { drag = 1, press = 1.5 }\n");
+}
+
+/// What friction bears in all.
+double dragged(const Walked& all) {
+  const VectorXd& friction = all.last.solution.contact.friction;
+  double sum = 0;
+  for (Index k = 0; k < friction.size(); ++k) {
+    const Index pair = all.model.law.pair[static_cast<std::size_t>(k)];
+    sum += friction(k) * all.model.pairs.normal(pair, 1) +
+           all.last.solution.contact.force(pair) * all.model.pairs.normal(pair, 0);
+  }
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("a pad over the tip of a wedge is the mirror of itself", "[motion][symmetry]") {
+  const int cells = GENERATE(8, 9);
+  CAPTURE(cells);
+  const Walked right = over_a_tip(0.02, cells), left = over_a_tip(-0.02, cells);
+  REQUIRE(right.end.status == SolveStatus::Solved);
+  REQUIRE(left.end.status == SolveStatus::Solved);
+  CHECK(dragged(right) == Approx(-dragged(left)).epsilon(1e-11));
+  CHECK(right.last.state.dissipation.sum() == Approx(left.last.state.dissipation.sum()).epsilon(1e-10).margin(1e-15));
+  const VectorXd& one = right.last.state.slip;
+  const VectorXd& other = left.last.state.slip;
+  CHECK((one + other.reverse()).lpNorm<Eigen::Infinity>() < 1e-11);
+}
+
+// Closed form: the inner side of a ring that is shrunk on a shaft stands on its circle before and after a turn.
+TEST_CASE("a ring slides along its shaft by the arc, and not by the sine of it", "[motion][friction][closed-form]") {
+  Step shrunk, turned;
+  const Scene scene = parse_scene(
+      "[[body]]\nname = \"ring\"\nmesh = { kind = \"ring\", inner_radius = 0.97, outer_radius = 1.5, cells = [24, 3] }\n"
+      "element = \"q4\"\nmaterial = { youngs_modulus = 1, poisson_ratio = 0.3, law = \"neo_hooke\" }\n"
+      "prescribed = { outer = { x = { polynomial = [[-0.45969769413186023, 1, 0], [-0.8414709848078965, 0, 1]] }, "
+      "y = { polynomial = [[0.8414709848078965, 1, 0], [-0.45969769413186023, 0, 1]] }, history = \"turn\" } }\n"
+      "[[contact]]\nsource = \"inner\"\ntarget = { kind = \"disc\", radius = 1.0 }\nfriction = 0.1\n"
+      "[[steps]]\nvalues = { turn = 0 }\n[[steps]]\nvalues = { turn = 1 }\n",
+      "name", ".").scene;
+  const PathEnd end = solve_steps(scene, [&](const Model&, const Step& step) { (step.state.steps == 1 ? shrunk : turned) = step; });
+  CAPTURE(end.reason);
+  REQUIRE(end.status == SolveStatus::Solved);
+  const Mesh& mesh = scene.bodies[0].mesh;
+  const std::vector<Index> nodes = boundary_nodes(mesh, "inner");
+  const VectorXd& slip = turned.state.slip;
+  REQUIRE(slip.size() == static_cast<Index>(nodes.size()));
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    const Eigen::RowVector2d a = mesh.nodes.row(nodes[k]) + shrunk.solution.displacements[0].row(nodes[k]);
+    const Eigen::RowVector2d b = mesh.nodes.row(nodes[k]) + turned.solution.displacements[0].row(nodes[k]);
+    const double angle = std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
+    CHECK(angle > 0.9);
+    CHECK(-slip(static_cast<Index>(k)) == Approx(angle).epsilon(1e-12));
+  }
+}
