@@ -82,7 +82,8 @@ std::string fit(const Tie& tie, Bond& bond) {
   pairs.initial_gap = (gap.abs() <= (closes ? rounding : apart)).select(0, gap);
   if (apart <= rounding) return "";
   bond.apart = closes ? 0 : apart;
-  return text(", gaps and overlaps of up to ", apart, closes ? " closed" : " stay");
+  return text(", gaps and overlaps of up to ", apart,
+              closes ? " closed" : " stay, and a force along the sides lacks its moment across them");
 }
 
 /// Nodes that no row holds: the side is longer than what it faces.
