@@ -48,14 +48,11 @@ bool ends_like_input(const fs::path& file) {
   return ending == ".toml" || ending == ".msh" || ending == ".geo" || ending == ".inp";
 }
 
-/// Whether what is printed goes to this file: it would replace the file, or be replaced.
-bool is_printed_to(const fs::path& file) {
+/// Whether a file is what the run has as its standard input, or prints to.
+bool is_open_as(int descriptor, const fs::path& file) {
   struct stat here = {}, there = {};
-  if (stat(file.c_str(), &here) != 0) return false;
-  for (const int printed : {STDOUT_FILENO, STDERR_FILENO})
-    if (fstat(printed, &there) == 0 && here.st_dev == there.st_dev && here.st_ino == there.st_ino)
-      return true;
-  return false;
+  return stat(file.c_str(), &here) == 0 && fstat(descriptor, &there) == 0 &&
+         here.st_dev == there.st_dev && here.st_ino == there.st_ino;
 }
 
 void forget(const fs::path& file) {
@@ -88,14 +85,16 @@ void Drafts::add(const std::string& file) {
   require_input(!fs::exists(status) || fs::is_regular_file(status), "cannot write '", file,
                 "': this is no plain file");
   const fs::path place = end_of_links(file);
-  require_input(!is_printed_to(place), "cannot write '", file,
+  require_input(!is_open_as(STDOUT_FILENO, place) && !is_open_as(STDERR_FILENO, place),
+                "cannot write '", file,
                 "': what is printed goes to this file; give results a file of their own");
   require_input(!ends_like_input(file) && !ends_like_input(place), "cannot write '", file,
                 "': results do not replace scenes and meshes, take another name");
   for (const fs::path& read : read_)
-    require_input(whole(read) != whole(place), "cannot write '", file,
-                  "': results do not replace what they are made from, and '", read.string(),
-                  "' is read; take another name");
+    require_input(read == "-" ? !is_open_as(STDIN_FILENO, place) : whole(read) != whole(place),
+                  "cannot write '", file, "': results do not replace what they are made from, and ",
+                  read == "-" ? "the standard input" : "'" + read.string() + "'",
+                  " is read; take another name");
   for (const Entry& other : entries_)
     require_input(whole(other.place) != whole(place), "cannot write '", file,
                   "' twice: give every result a file of its own");

@@ -103,8 +103,8 @@ std::filesystem::path folder_of(const std::string& file) {
 const char* command_for(const std::string& content) {
   TextReader reader(content, "");
   if (!reader.next_line()) return "";
-  if (is_inp(content) || content.find("$MeshFormat") != std::string::npos) return "mesh";
   const std::string first(reader.word());
+  if (is_inp(content) || first.front() == '$') return "mesh";
   if (first.find_first_not_of("0123456789") == std::string::npos)
     return first == "2" && reader.word_anywhere() != "0" ? "friction" : "lcp";
   if (first != "n" || reader.word() == "=") return "solve";

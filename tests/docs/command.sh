@@ -261,6 +261,8 @@ sed 's/stamp\.inp/stamp.mesh/' stamp.toml > stamp2.toml
 cp "$examples/stamp.inp" stamp.mesh
 expect 2 "cannot write 'stamp.mesh': .* is read" solve stamp2.toml --vtu stamp.mesh
 expect 2 "cannot write 'A.INP': results do not replace scenes and meshes" solve "$cantilever" --csv A.INP
+cp "$cantilever" scene
+expect 2 "cannot write 'scene': .*, and the standard input is read" solve - --csv scene < scene
 holds 'the profile of a scene' cmp kept bumps.csv
 holds 'the mesh of a scene' cmp "$examples/stamp.inp" stamp.mesh
 written floor

@@ -243,9 +243,9 @@ TEST_CASE("a part and the assembly have sets of one name, as CAE makes them", "[
   CHECK(
       read.notes ==
       Names{"two node sets are called 'Set-1', one of the part and one of the assembly (lines 9 "
-            "and 20): here 'Set-1' is that of the assembly, and the other one is 'Part-1.Set-1'",
+            "and 21): here 'Set-1' is that of the assembly, and the other one is 'Part-1.Set-1'",
             "two element sets are called 'set-1', one of the part and one of the assembly (lines "
-            "13 and 24): here 'set-1' is that of the part, and the other one is 'Assembly.set-1'"});
+            "13 and 25): here 'set-1' is that of the part, and the other one is 'Assembly.set-1'"});
   // Where a set goes on at its place, it is one.
   const InpMeshes on = parse_inp(square + "*NSET,NSET=a\n1\n*NSET,NSET=A\n2\n", "file");
   CHECK(boundary_nodes(on.meshes[0], "a") == std::vector<Index>{0, 1});
