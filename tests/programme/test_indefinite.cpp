@@ -86,6 +86,28 @@ TEST_CASE("random programmes that are convex on their equations alone are solved
   }
 }
 
+TEST_CASE("a K that is nothing along the equations and negative across them is solved in a box",
+          "[dense_programme]") {
+  Random random(8);
+  for (int sample = 0; sample < 40; ++sample) {
+    CAPTURE(sample);
+    const Index n = 6, equations = random.whole(1, 3);
+    const MatrixXd E = drawn(random, equations, n);
+    const MatrixXd across = E.transpose() * drawn(random, equations, n);
+    DenseProgramme programme;
+    programme.stiffness = across + across.transpose() - random.uniform(0, 30) * E.transpose() * E;
+    programme.load = drawn(random, n, 1);
+    programme.A.resize(equations + 2 * n, n);  // -1 <= u <= 1
+    programme.A << E, MatrixXd::Identity(n, n), -MatrixXd::Identity(n, n);
+    programme.initial_gap = VectorXd::Ones(programme.A.rows());
+    programme.initial_gap.head(equations) = E * drawn(random, n, 1);
+    programme.equations = equations;
+    const DenseSolution solution = solve(programme, find_solver("quasi_active_set"));
+    REQUIRE(solution.report.status == SolveStatus::Solved);
+    CHECK(solution.certificate.holds());
+  }
+}
+
 TEST_CASE("what is not convex on its equations is refused", "[dense_programme]") {
   for (const double c : {1.5, 3.0, 100.0})  // along (1, -1) the curvature is 2 - 2 c
     CHECK_THAT(problem_message([&] {

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "addons/programme/dense_programme.hpp"
+#include "addons/programme/equation_split.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/core/triangular.hpp"
@@ -14,7 +15,6 @@ namespace signorini {
 namespace {
 
 using Eigen::Index;
-using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// How far a row of this weight can move when the unknowns move so far; a row without entries cannot.
@@ -39,49 +39,9 @@ VectorXd equation_stiffness(const DenseProgramme& programme, double spring) {
   return rho;
 }
 
-MatrixXd with_springs(MatrixXd K, double spring) {
-  if (spring > 0) K.diagonal().array() += spring;
-  return K;
-}
-
-/// What each equation must add to K where K is positive definite on the equations and has a negative eigenvalue elsewhere.
-///
-/// In units in which the diagonal of K is 1 or -1 and each equation has the length 1, let \f$ E = U S V^T \f$ be the equations and Z an
-/// orthonormal basis of E u = 0. With \f$ K_{zz} = Z^T K Z > 0 \f$, \f$ K_{vz} = V^T K Z \f$ and so on, the Schur complement says:
-/// \f$ K + \rho E^T E \f$ is positive definite if and only if
-/// \f$ \rho > \rho_0 \f$, the largest eigenvalue of \f$ -S^{-1} (K_{vv} - K_{vz} K_{zz}^{-1} K_{zv}) S^{-1} \f$.
-/// Of \f$ 2 \rho_0 + 1 \f$ more than half is left for what rounding takes.
-/// \return nothing if \f$ K_{zz} \f$ is not positive definite: then no stiffness is enough
-std::optional<VectorXd> sufficient_stiffness(const DenseProgramme& programme, double spring) {
-  const MatrixXd K = with_springs(programme.stiffness, spring);
-  const VectorXd unit =
-      K.diagonal().unaryExpr([](double k) { return k != 0 ? 1 / std::sqrt(std::abs(k)) : 1.0; });
-  const MatrixXd scaled = unit.asDiagonal() * K * unit.asDiagonal();
-  MatrixXd E = programme.A.topRows(programme.equations) * unit.asDiagonal();
-  const VectorXd length = E.rowwise().norm();
-  for (Index i = 0; i < E.rows(); ++i) E.row(i).stableNormalize();
-  if (!scaled.allFinite() || !E.allFinite()) return {};
-  const MatrixXd Z = null_space(E);
-  const Index rank = E.cols() - Z.cols();
-  if (rank == 0) return {};
-  const SingularValues parts = singular_values(E);
-  const MatrixXd V = parts.V.leftCols(rank);
-  MatrixXd across = V.transpose() * scaled * V;
-  if (Z.cols() > 0) {
-    const CholeskyFactor inner(Z.transpose() * scaled * Z);
-    if (!inner.positive()) return {};
-    MatrixXd half = Z.transpose() * scaled * V;
-    solve_lower_columns(inner.lower(), half);
-    across -= half.transpose() * half;
-  }
-  const VectorXd inverse = parts.values.head(rank).cwiseInverse();
-  across = -(inverse.asDiagonal() * across * inverse.asDiagonal());
-  const double least = std::max(0.0, symmetric_eigenvalues(across).maxCoeff());
-  return length.unaryExpr([&](double l) { return l > 0 ? (2 * least + 1) / (l * l) : 0; });
-}
-
 CholeskyFactor factored(const DenseProgramme& programme, const VectorXd& rho, double spring) {
-  MatrixXd K = with_springs(programme.stiffness, spring);
+  Eigen::MatrixXd K = programme.stiffness;
+  if (spring > 0) K.diagonal().array() += spring;
   if (programme.equations > 0) {
     const auto E = programme.A.topRows(programme.equations);
     K += E.transpose() * rho.asDiagonal() * E;
@@ -104,8 +64,7 @@ CholeskyFactor factored(const DenseProgramme& programme, double spring, VectorXd
   try {
     return factored(programme, rho, spring);
   } catch (const NotDefinite&) {
-    const std::optional<VectorXd> enough =
-        programme.equations > 0 ? sufficient_stiffness(programme, spring) : std::nullopt;
+    const std::optional<VectorXd> enough = sufficient_stiffness(programme, spring);
     if (!enough) throw;
     rho = *enough;
     return factored(programme, rho, spring);
