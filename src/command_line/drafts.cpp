@@ -84,6 +84,8 @@ void Drafts::add(const std::string& file) {
   const fs::file_status status = fs::status(file, unseen);
   require_input(!fs::exists(status) || fs::is_regular_file(status), "cannot write '", file,
                 "': this is no plain file");
+  require_input(!fs::exists(status) || access(file.c_str(), W_OK) == 0, "cannot write '", file,
+                "': this file may not be written to; change its mode, or take another name");
   const fs::path place = end_of_links(file);
   require_input(!is_open_as(STDOUT_FILENO, place) && !is_open_as(STDERR_FILENO, place),
                 "cannot write '", file,

@@ -17,7 +17,8 @@ class Drafts {
   /// \param files  that will appear; of a link, what it leads to
   /// \param read   all files that the run was read from
   /// \throws signorini::ProblemError if two of them are the same, or one is a folder or a device, or what the run was
-  ///   read from, or where it prints to, or ends like a scene or a mesh, or has control characters in its name, or as FileLock
+  ///   read from, or where it prints to, or may not be written to, or ends like a scene or a mesh, or has control characters in
+  ///   its name, or as FileLock
   Drafts(const std::vector<std::string>& files, std::vector<std::filesystem::path> read);
   ~Drafts();
   Drafts(const Drafts&) = delete;

@@ -247,6 +247,10 @@ if [ "$(id -u)" -ne 0 ]; then
     chmod a-w outputs
     expect 2 'cannot write' solve "$cantilever" --csv outputs/a.csv
     chmod u+w outputs
+    echo mine > outputs/a.csv
+    chmod a-w outputs/a.csv
+    expect 2 "cannot write 'outputs/a.csv': this file may not be written to" solve "$cantilever" --csv outputs/a.csv
+    rm -f outputs/a.csv
 fi
 
 # What a scene is made from is not written, by whatever name; a link is followed, and a file keeps its mode.
