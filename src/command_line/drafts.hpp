@@ -14,11 +14,12 @@ namespace command_line {
 /// Files that appear all together or not at all, and that no other run writes while this lives.
 class Drafts {
  public:
-  /// \param files  that will appear
-  /// \param read   what the run was read from
+  /// \param files  that will appear; of a link, what it leads to
+  /// \param read   all files that the run was read from
   /// \throws signorini::ProblemError if two of them are the same, or one is a folder or a device, or what the run was
-  ///   read from, or ends like a scene or a mesh, or as FileLock
-  Drafts(const std::vector<std::string>& files, std::string read);
+  ///   read from, or where it prints to, or may not be written to, or ends like a scene or a mesh, or has control characters in
+  ///   its name, or as FileLock
+  Drafts(const std::vector<std::string>& files, std::vector<std::filesystem::path> read);
   ~Drafts();
   Drafts(const Drafts&) = delete;
   Drafts& operator=(const Drafts&) = delete;
@@ -35,7 +36,8 @@ class Drafts {
 
  private:
   struct Entry {
-    std::filesystem::path file;
+    std::filesystem::path file;   // as it was asked for
+    std::filesystem::path place;  // the same, or where that link leads to
     std::unique_ptr<FileLock> lock = {};
     std::filesystem::path draft = {};  // empty until it is begun
     std::filesystem::path before =
@@ -47,7 +49,7 @@ class Drafts {
   [[nodiscard]] std::filesystem::path unused(const std::filesystem::path& beside) const;
   void take_back();
 
-  std::string read_;
+  std::vector<std::filesystem::path> read_;
   std::vector<Entry> entries_;
   std::ptrdiff_t n_named_ = 0;  // entries behind these appear once
 };

@@ -6,23 +6,18 @@
 #include <fstream>
 #include <system_error>
 
+#include "addons/files/scene_file.hpp"
 #include "command_line/figure_style.hpp"
+#include "command_line/quoting.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/table.hpp"
+#include "signorini/core/wording.hpp"
 #include "signorini/report/results.hpp"
 
 namespace command_line {
 namespace {
 
 using namespace signorini;
-
-/// A text between quotes of gnuplot or of the shell. \param quote  how a quote is written in it
-std::string quoted(const std::string& text, const char* quote) {
-  std::string result = "'";
-  for (const char c : text) result += c == '\'' ? quote : std::string(1, c);
-  return result + "'";
-}
-std::string for_shell(const std::string& text) { return quoted(text, "'\\''"); }
 
 /// A file that goes away again.
 class Passing {
@@ -46,14 +41,11 @@ class Passing {
 
 PictureKind picture_kind(const std::string& file) {
   const std::string ending = std::filesystem::path(file).extension().string();
-  require_input(ending == ".svg" || ending == ".png" || ending == ".pdf",
-                "--plot: expected a file .svg, .png or .pdf, got '", file, '\'');
-  return ending == ".svg"   ? PictureKind::Svg
-         : ending == ".png" ? PictureKind::Png
-                            : PictureKind::Pdf;
+  const auto found = std::find(picture_endings.begin(), picture_endings.end(), ending);
+  require_input(found != picture_endings.end(), "--plot: expected a file .svg, .png or .pdf, got ",
+                in_quotes(file));
+  return static_cast<PictureKind>(found - picture_endings.begin());
 }
-
-std::string for_gnuplot(const std::string& text) { return quoted(text, "''"); }
 
 std::string range(double from, double to) {
   const double margin = to > from ? 0 : std::max(1e-6 * std::abs(to), 1e-300);

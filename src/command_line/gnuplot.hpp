@@ -3,18 +3,17 @@
 #include <filesystem>
 #include <string>
 
+#include "command_line/quoting.hpp"
+
 namespace command_line {
 
-/// What gnuplot can be asked for.
+/// What gnuplot can be asked for, in the order of signorini::picture_endings.
 enum class PictureKind { Svg, Png, Pdf };
 
 /// \param file  that will hold a picture
 /// \return the kind that its name ends with
 /// \throws signorini::ProblemError unless that is .svg, .png or .pdf
 PictureKind picture_kind(const std::string& file);
-
-/// \param text  any \return it between quotes of gnuplot
-std::string for_gnuplot(const std::string& text);
 
 /// \param from  where the range of an axis begins \param to  where it ends, not below
 /// \return the range for gnuplot, which refuses one without a length

@@ -224,16 +224,19 @@ MeshRun read_meshes(const std::string& file) {
   const Progress progress(text("reading ", run.name));
   const std::string content = content_of(file, largest_gmsh_file);
   if (content.find("[[body]]") != std::string::npos) {
-    for (Body& body : parse_scene(content, run.name, folder_of(file)).scene.bodies)
-      run.meshes.push_back(std::move(body.mesh));
+    SceneFile scene = parse_scene(content, run.name, folder_of(file));
+    for (Body& body : scene.scene.bodies) run.meshes.push_back(std::move(body.mesh));
+    run.files = std::move(scene.files);
   } else if (std::filesystem::path(file).extension() == ".inp" || is_inp(content)) {
     InpMeshes read = parse_inp(content, run.name);
     run.meshes = std::move(read.meshes);
     run.unread = std::move(read.unread);
     run.further_sets = std::move(read.further_sets);
+    run.notes = std::move(read.notes);
   } else {
     run.meshes = parse_gmsh(content, run.name);
   }
+  run.files.emplace_back(file);
   return run;
 }
 
@@ -249,6 +252,8 @@ void print(std::ostream& out, const MeshRun& run) {
   if (!run.further_sets.empty())
     out << "\nfurther element sets, for set = \"NAME\": " << listed(run.further_sets) << '\n';
   if (!run.unread.empty()) out << "\nnot read: " << listed(run.unread) << '\n';
+  if (!run.notes.empty()) out << '\n';
+  for (const std::string& note : run.notes) out << "note  " << note << '\n';
 }
 
 void write(Json& json, const MeshRun& run) {
@@ -256,6 +261,7 @@ void write(Json& json, const MeshRun& run) {
   json.key("file").value(run.name).key("bodies").array();
   for (const Mesh& mesh : run.meshes) write_mesh(json, mesh);
   json.end().key("further_sets").value(run.further_sets).key("unread").value(run.unread);
+  json.key("notes").value(run.notes);
   json.end();
 }
 

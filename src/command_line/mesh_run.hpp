@@ -18,6 +18,8 @@ struct MeshRun {
   std::vector<std::string> unread;      ///< what of an input file is not read
   std::vector<std::string>
       further_sets;  ///< element sets of an input file that are no body by themselves
+  std::vector<std::string> notes = {};            ///< on names and thicknesses of an input file
+  std::vector<std::filesystem::path> files = {};  ///< that were read
 };
 
 /// Reads the meshes of a file of Gmsh, of an input file of CalculiX or Abaqus, or of a scene.

@@ -31,6 +31,11 @@ void add_problem(CLI::App& app, const char* name, const char* title, Request& re
       ->capture_default_str();
 }
 
+/// What is wrong with the name of a file that is written; a script may give an empty one.
+std::string no_file(const std::string& name) {
+  return name == "-" || name.empty() ? "expected the name of a file, got '" + name + "'" : "";
+}
+
 void declare_mesh(CLI::App& app, Request& request) {
   CLI::App* const mesh = app.add_subcommand(
       "mesh", "what is in a mesh: bodies, cells, quality, and boundaries that a scene can name");
@@ -41,15 +46,14 @@ void declare_mesh(CLI::App& app, Request& request) {
   mesh->add_flag("--json", request.json, "one JSON document instead of tables");
   mesh->add_option("--plot", request.output.plot,
                    "cells and boundaries, as a picture .svg, .png or .pdf, by gnuplot")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(no_file);
 }
 
 /// The files that a run may write.
 void declare_files(CLI::App& solve, signorini::Output& output) {
   const auto add = [&](const char* option, std::string& into, const char* type, const char* what) {
-    solve.add_option(option, into, what)->type_name(type)->check([](const std::string& name) {
-      return std::string(name == "-" ? "expected the name of a file, got '-'" : "");
-    });
+    solve.add_option(option, into, what)->type_name(type)->check(no_file);
   };
   add("--vtu", output.vtu, "FILE",
       "meshes and fields, for ParaView, with pressure, traction and status of contact; of load "
@@ -85,7 +89,8 @@ void declare_solve(CLI::App& app, Request& request) {
   declare_files(*solve, request.output);
   add("--from", request.from, "FILE",
       "goes on from what --state wrote, to the same numbers; files keep the steps up to there, and "
-      "are refused if they have others");
+      "are refused if they have others")
+      ->check([](const std::string& name) { return name.empty() ? no_file(name) : ""; });
   add("--accuracy", request.accuracy.target, "PART",
       "refines the meshes until the estimated error of --goal is at most that part of its value, "
       "such as 0.5%, and two meshes agree; if that cannot be, says what stands in the way; price "

@@ -125,13 +125,17 @@ std::string without_numbers(const std::string& note) {
 
 /// What goes on from the state that is asked for. \param file  that is solved
 std::string command_on(const std::string& file, const Output& output) {
-  std::string command = text("signorini solve ", file == standard_input ? "-" : file, " --from ",
-                             output.state, " --state ", output.state);
-  if (!output.vtu.empty()) command += " --vtu " + output.vtu;
+  std::string command = "signorini solve " + (file == standard_input ? "-" : for_shell(file));
+  const auto add = [&](const char* option, const std::string& word) {
+    if (!word.empty()) command += option + for_shell(word);
+  };
+  add(" --from ", output.state);
+  add(" --state ", output.state);
+  add(" --vtu ", output.vtu);
   if (output.ascii) command += " --ascii";
-  if (!output.csv.empty()) command += " --csv " + output.csv;
-  if (!output.probes.empty()) command += " --probes " + output.probes;
-  if (!output.plot.empty()) command += " --plot " + output.plot;
+  add(" --csv ", output.csv);
+  add(" --probes ", output.probes);
+  add(" --plot ", output.plot);
   return command;
 }
 
@@ -163,11 +167,11 @@ std::string kept(const std::string& file, const Output& output, const Step& step
 
 }  // namespace
 
-PathFiles::PathFiles(const SceneRun& run, const std::string& read)
+PathFiles::PathFiles(const SceneRun& run)
     : name_(run.file.name),
       wanted_(run.file.output),
       probes_(run.file.probes),
-      drafts_(files_of_all_steps(wanted_), read),
+      drafts_(files_of_all_steps(wanted_), run.file.files),
       table_(wanted_.csv),
       probe_table_(wanted_.probes) {}
 

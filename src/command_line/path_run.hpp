@@ -16,10 +16,9 @@ namespace command_line {
 /// files of the same names say of the steps before; no other run writes them.
 class PathFiles {
  public:
-  /// \param run   that will be solved
-  /// \param read  what it was read from
+  /// \param run  that will be solved
   /// \throws signorini::ProblemError as Drafts
-  PathFiles(const SceneRun& run, const std::string& read);
+  explicit PathFiles(const SceneRun& run);
   /// Makes the run go on from a state that was saved.
   /// \param run   as before
   /// \param file  that --state wrote

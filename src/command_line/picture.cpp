@@ -35,8 +35,7 @@ Box box_of(const SceneRun& run, double scale) {
 /// What displacements are multiplied by: the largest is at most a twelfth of the scene then.
 double magnification(const SceneRun& run) {
   double most = 0;
-  for (const NodeArray& u : run.solution->displacements)
-    most = std::max(most, u.rowwise().norm().maxCoeff());
+  for (const NodeArray& u : run.solution->displacements) most = std::max(most, farthest(u).length);
   return most > 0 ? round_down(box_of(run, 0).diagonal().norm() / 12 / most) : 1;
 }
 

@@ -54,9 +54,9 @@ std::vector<BodyFigures> figures_of(const Model& model, const Solution& solution
     const NodeArray& u = solution.displacements[b];
     BodyFigures figures;
     figures.name = body.mesh.name;
-    Index node = 0;
-    figures.moves = u.rowwise().norm().maxCoeff(&node);
-    figures.at = body.mesh.nodes.row(node);
+    const Farthest moved = farthest(u);
+    figures.moves = moved.length;
+    figures.at = body.mesh.nodes.row(moved.node);
     const StressArray stress = cell_stress(body.mesh, body.element, body.material, u);
     for (Index cell = 0; cell < stress.rows(); ++cell)
       if (const double now = von_mises(stress.row(cell).transpose()); now > figures.stress) {

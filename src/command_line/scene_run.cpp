@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <iostream>
 #include <iterator>
 #include <utility>
 
+#include "addons/files/inp.hpp"
 #include "addons/steps/steps_limit.hpp"
 #include "addons/text/text_reader.hpp"
 #include "addons/vtu/vtu.hpp"
@@ -102,6 +104,7 @@ const char* command_for(const std::string& content) {
   TextReader reader(content, "");
   if (!reader.next_line()) return "";
   const std::string first(reader.word());
+  if (is_inp(content) || first.front() == '$') return "mesh";
   if (first.find_first_not_of("0123456789") == std::string::npos)
     return first == "2" && reader.word_anywhere() != "0" ? "friction" : "lcp";
   if (first != "n" || reader.word() == "=") return "solve";
@@ -112,7 +115,18 @@ const char* taken_by(const std::string& command) {
   return command == "qp"         ? "quadratic programme"
          : command == "lcp"      ? "complementarity problem"
          : command == "friction" ? "friction problem"
+         : command == "mesh"     ? "mesh"
                                  : "scene";
+}
+
+// Divided by a power of two, which rounds nothing, no square is too large or too small.
+Farthest farthest(const NodeArray& displacements) {
+  const double largest = displacements.cwiseAbs().maxCoeff();
+  const int power = largest > 0 && std::isfinite(largest) ? std::ilogb(largest) : 0;
+  const NodeArray u = displacements.unaryExpr([=](double x) { return std::ldexp(x, -power); });
+  Farthest found;
+  found.length = std::ldexp(u.rowwise().norm().maxCoeff(&found.node), power);
+  return found;
 }
 
 void add_notes(const std::vector<std::string>& some, std::vector<std::string>& notes) {
@@ -138,6 +152,7 @@ SceneRun plan_scene(const std::string& file, const Means& means, const char* com
   SceneRun run;
   run.file = read_or_hint(name, content, command,
                           [&] { return parse_scene(content, name, folder_of(file)); });
+  run.file.files.emplace_back(file);
   if (!means.solver.empty()) run.file.scene.solver = find_solver(means.solver);
   run.file.scene.backend = find_backend(means.backend);
   progress.say("planning");

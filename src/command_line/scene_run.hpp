@@ -14,6 +14,7 @@
 #include "addons/steps/steps.hpp"
 #include "addons/vtu/vtu.hpp"
 #include "command_line/drafts.hpp"
+#include "command_line/quoting.hpp"
 #include "signorini/report/pair_columns.hpp"
 #include "signorini/scene/notes.hpp"
 
@@ -36,7 +37,7 @@ std::filesystem::path folder_of(const std::string& file);
 
 /// Which command a text was written for, as far as its first words tell.
 /// \param content  of a file
-/// \return "solve", "lcp", "friction" or "qp"; empty if there is nothing in it
+/// \return "solve", "mesh", "lcp", "friction" or "qp"; empty if there is nothing in it
 const char* command_for(const std::string& content);
 
 /// \param command  of the program
@@ -63,7 +64,7 @@ auto read_or_hint(const std::string& file, const std::string& content, const cha
     if (same) throw;
     throw signorini::ProblemError(signorini::text(file, ": this looks like a ", taken_by(wanted),
                                                   "; run: signorini ", wanted, " ",
-                                                  file == standard_input ? "-" : file));
+                                                  file == standard_input ? "-" : for_shell(file)));
   }
 }
 
@@ -75,7 +76,8 @@ struct ProbedStep {
 
 /// What was made of a scene file, as far as it came.
 struct SceneRun {
-  signorini::SceneFile file;  ///< as it was read, with what the command line changes
+  /// As it was read, with what the command line changes; the scene file is one of its `files`.
+  signorini::SceneFile file;
   signorini::Plan
       plan;  ///< of its scene; after solve_scene() without bodies, which are in the model
   signorini::Prediction prediction;       ///< of the plan
@@ -103,6 +105,16 @@ struct SceneRun {
     return signorini::at_file(file, [&] { return signorini::with_context(notes(), action); });
   }
 };
+
+/// How far the node moves that moves farthest.
+struct Farthest {
+  double length = 0;      ///< of its displacement [length]
+  Eigen::Index node = 0;  ///< its number
+};
+
+/// \param displacements  `n_nodes x 2` [length], also such whose squares are no doubles
+/// \return the farthest of them
+Farthest farthest(const signorini::NodeArray& displacements);
 
 /// What the command line says of how a scene is solved.
 struct Means {

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <functional>
 #include <iostream>
 #include <optional>
@@ -56,7 +57,7 @@ ProblemFile read(const Request& request, const std::string& command) {
   });
   const char* const wanted = command_of(file);
   require_input(command == wanted, request.name(), ": this is a ", command_line::taken_by(wanted),
-                "; run: signorini ", wanted, " ", request.file);
+                "; run: signorini ", wanted, " ", command_line::for_shell(request.file));
   return file;
 }
 
@@ -145,8 +146,8 @@ int plan_scene(const Request& request) {
 int tell_of_mesh(const Request& request) {
   const std::string& plot = request.output.plot;
   if (!plot.empty()) static_cast<void>(command_line::picture_kind(plot));
-  command_line::Drafts drafts(command_line::files_of(request.output), request.file);
   const command_line::MeshRun run = command_line::read_meshes(request.file);
+  command_line::Drafts drafts(command_line::files_of(request.output), run.files);
   if (request.json) {
     Json json;
     command_line::write(json, run);
@@ -162,7 +163,7 @@ int tell_of_mesh(const Request& request) {
 
 /// Solves a scene with load steps; what is asked for is in run.
 int solve_path(const Request& request, const Team* team, command_line::SceneRun& run) {
-  command_line::PathFiles files(run, request.file);
+  command_line::PathFiles files(run);
   if (!request.from.empty()) files.go_on(run, request.from);
   command_line::PathTeller teller(std::cout, request.json, files.late());
   command_line::solve_scene(run, [&](const Model& model, const Step& step) {
@@ -178,7 +179,7 @@ int solve_path(const Request& request, const Team* team, command_line::SceneRun&
 /// Solves a scene to an accuracy, and says so before the rest.
 int solve_accurately(const Request& request, const Team* team, command_line::SceneRun& run) {
   command_line::AccuracyRun accuracy = command_line::understood(request.accuracy, run);
-  command_line::Drafts drafts(command_line::files_of(run.file.output), request.file);
+  command_line::Drafts drafts(command_line::files_of(run.file.output), run.file.files);
   if (!request.json) command_line::print_wish(std::cout, accuracy);
   command_line::solve_to_accuracy(run, accuracy, [&](const command_line::AccuracyRun& so_far) {
     if (!request.json) command_line::print_round(std::cout, so_far);
@@ -223,7 +224,7 @@ int solve_scene(const Request& request, const Team* team) {
                 output.state.empty() ? "--from" : "--state", ": ", run.file.name,
                 " has no load steps: leave it out, or give the scene [[steps]]");
   if (!request.accuracy.target.empty()) return solve_accurately(request, team, run);
-  command_line::Drafts drafts(command_line::files_of(output), request.file);
+  command_line::Drafts drafts(command_line::files_of(output), run.file.files);
   command_line::solve_scene(run);
   if (run.solution) command_line::count_members(team, run.solution->ledger);
   const int code = tell(request, run, command_line::print_solution);
@@ -367,6 +368,7 @@ int main(int argc, char** argv) {
 #ifdef __GLIBC__
   mallopt(M_MMAP_THRESHOLD, 1 << 20);  // so that what a phase frees goes back to the system
 #endif
+  std::signal(SIGXFSZ, SIG_IGN);  // so that what is too long for the system fails like a full disk
   std::optional<command_line::RunMonitor> monitor;
   if (command_line::launched().rank == 0) monitor.emplace();  // of several processes one speaks
   std::function<void(int)> end;

@@ -95,7 +95,7 @@ void StepTable::add(double time, const std::string& table) {
   bool named = false;
   std::istringstream lines(table);
   for (std::string line; std::getline(lines, line);) {
-    if (line.front() == '#') {
+    if (line.rfind('#', 0) == 0) {
       lines_ += text("# time ", at, ": ", line.substr(2), '\n');
     } else if (named) {
       lines_ += text(at, ',', line, '\n');

@@ -247,7 +247,95 @@ if [ "$(id -u)" -ne 0 ]; then
     chmod a-w outputs
     expect 2 'cannot write' solve "$cantilever" --csv outputs/a.csv
     chmod u+w outputs
+    echo mine > outputs/a.csv
+    chmod a-w outputs/a.csv
+    expect 2 "cannot write 'outputs/a.csv': this file may not be written to" solve "$cantilever" --csv outputs/a.csv
+    rm -f outputs/a.csv
 fi
+
+# What a scene is made from is not written, by whatever name; a link is followed, and a file keeps its mode.
+cp "$examples/bumps.toml" "$examples/bumps.csv" .
+cp bumps.csv kept
+ln -s ../bumps.csv outputs/floor
+for name in bumps.csv ./outputs/../bumps.csv outputs/floor; do
+    expect 2 "cannot write '$name': results do not replace what they are made from, and 'bumps.csv' is read" solve bumps.toml --csv "$name"
+done
+cp "$examples/stamp.toml" .
+sed 's/stamp\.inp/stamp.mesh/' stamp.toml > stamp2.toml
+cp "$examples/stamp.inp" stamp.mesh
+expect 2 "cannot write 'stamp.mesh': .* is read" solve stamp2.toml --vtu stamp.mesh
+expect 2 "cannot write 'A.INP': results do not replace scenes and meshes" solve "$cantilever" --csv A.INP
+cp "$cantilever" scene
+expect 2 "cannot write 'scene': .*, and the standard input is read" solve - --csv scene < scene
+holds 'the profile of a scene' cmp kept bumps.csv
+holds 'the mesh of a scene' cmp "$examples/stamp.inp" stamp.mesh
+written floor
+mkdir real
+ln -s ../real/new.csv outputs/new.csv
+ln -s ../real/old.csv outputs/old.csv
+ln -s circle outputs/circle
+echo mine > real/old.csv
+chmod 604 real/old.csv
+for one in new old; do
+    expect 0 solved solve "$cantilever" --csv "outputs/$one.csv"
+    holds 'a link stays one' test -L "outputs/$one.csv"
+    holds 'the file of a link' grep -q pressure "real/$one.csv"
+done
+holds 'the mode of a file' test "$(stat -c %a real/old.csv)" = 604
+expect 0 solved solve "$examples/to_and_fro.toml" --csv outputs/old.csv
+holds 'the file of a link with all steps' test "$(grep -c '^4,' real/old.csv)" = 41
+expect 2 "cannot write 'outputs/old.csv' twice|cannot write 'real/old.csv' twice" solve "$cantilever" --csv outputs/old.csv --vtu real/old.csv
+expect 2 "cannot write 'outputs/circle': this link leads in a circle" solve "$cantilever" --csv outputs/circle
+holds 'nothing but the files of links' test "$(ls -A real)" = 'new.csv
+old.csv'
+if [ -e /proc/self/fd/1 ]; then
+    ln -s /proc/self/fd/1 outputs/printed
+    "$program" solve "$cantilever" --csv outputs/printed > real/printed 2> errors
+    holds 'results where a run prints' test "$? $(cat errors)" = "2 signorini: cannot write 'outputs/printed': what is printed goes to this file; give results a file of their own"
+    holds 'a link to where a run prints stays one' test -L outputs/printed
+    expect 2 "cannot write 'outputs/printed': this is no plain file" solve "$cantilever" --csv outputs/printed
+fi
+rm -r real outputs/*
+# Names end no line of a script, and are not empty.
+newline='a
+!touch pwned
+#.svg'
+expect 2 "cannot write 'a\?!touch pwned\?#.svg': this name has control characters" solve "$cantilever" --plot "$newline"
+expect 2 "cannot write 'a\?!touch pwned\?#.svg': this name has control characters" mesh "$examples/stamp.inp" --plot "$newline"
+holds 'no command was run' test ! -e pwned
+for option in --vtu --csv --plot --probes --state --from; do
+    expect 2 "$option: expected the name of a file, got ''" solve "$cantilever" "$option" ''
+done
+expect 2 "--plot: expected the name of a file, got ''" mesh "$examples/stamp.inp" --plot ''
+# A file that may not become so long is like a full disk.
+(ulimit -f 1 && exec "$program" solve "$cantilever" --vtu outputs/a.vtu > /dev/null 2> errors)
+holds 'a limit of the length of files' test "$?" -eq 2
+holds 'what is said of that limit' grep -q "^signorini: cannot write 'outputs/a.vtu'" errors
+written ''
+for command in lcp friction qp solve plan; do
+    expect 2 "stamp.inp: this looks like a mesh; run: signorini mesh $examples/stamp.inp$" $command "$examples/stamp.inp"
+    expect 2 "wheel_on_rail.msh: this looks like a mesh; run: signorini mesh $examples/wheel_on_rail.msh$" $command "$examples/wheel_on_rail.msh"
+done
+cp immovable 'two words'
+expect 2 "this is a complementarity problem; run: signorini lcp 'two words'$" qp 'two words'
+sed 's/bumps\.csv/holed.csv/' bumps.toml > holed.toml
+for row in '0,,-1' ',0,-1' '0,-1,'; do
+    { cat bumps.csv; echo "$row"; } > holed.csv
+    expect 2 "holed.csv:[0-9]+: expected x and y, got a comma without a number (before|behind) it" solve holed.toml
+done
+# Loads whose squares are no doubles.
+for load in 3.6e-170 3.6e160; do
+    sed "s/top = 3.6 /top = $load /; /^\[\[contact/,\$d" "$cantilever" > load.toml
+    expect 0 "moves by up to [1-9][0-9.]*e[-+]1[567][0-9], .*von Mises' stress up to [1-9][0-9.]*e[-+]1[567][0-9]," solve load.toml
+done
+# Programmes that are convex on their equations alone.
+printf 'n 2\nm 1\nr 0\nP\n1 -2\n-2 1\nq\n0 -1\nA\n1 1\nl\n1\nu\n1\n' > across
+expect 0 '0\.33333333333333[0-9]*' qp across
+expect 0 'objective.* -0\.83333333333333|-0\.83333333333333' qp across --solver all
+sed 's/^1 -2$/1 3/; s/^-2 1$/3 1/' across > concave
+expect 2 'not convex: P has a negative eigenvalue where the equations hold' qp concave
+sed '$s/.*/inf/' across > unbounded
+expect 2 "u, number 1: expected a finite number, got 'inf'; for no bound write 1e20$" qp unbounded
 
 # Load steps: a line, a file and a state for each.  A path goes on from its state to the same bits.
 path=$examples/to_and_fro.toml
@@ -263,6 +351,9 @@ holds 'a collection of all steps' test "$(grep -c '<DataSet timestep="[0-9.]*" p
 sed '/^count = 20/,$d' "$path" | sed '$d' > part.toml
 expect 0 'solved: 11 steps up to time 2' solve part.toml --vtu outputs/b.vtu --csv outputs/b.csv --state outputs/b
 holds 'a step is not changed by what follows' cmp outputs/a_0011.vtu outputs/b_0011.vtu
+head -c -3 outputs/b > outputs/cut
+expect 2 "outputs/cut:[0-9]+: expected a line 'end', without which a part of the file is missing" solve "$path" --from outputs/cut
+rm outputs/cut
 expect 0 'goes on from time 2, after 11 steps' solve "$path" --from outputs/b --vtu outputs/b.vtu --csv outputs/b.csv --state outputs/b
 holds 'the same state' cmp outputs/a outputs/b
 holds 'the same table' cmp outputs/a.csv outputs/b.csv
@@ -375,6 +466,9 @@ expect 0 "note  at time 7: linear .* of 'part2'" solve noted.toml
 sed '19s/1/-2/' noted.toml > lifted_longer.toml
 expect 0 'note  from time 2 to 5: no pair carries' solve lifted_longer.toml
 expect 1 'time 1\.5\. With --state FILE the next run can go on' solve pulled.toml
+mkdir 'my outputs'
+expect 1 "then: signorini solve pulled.toml --from 'my outputs/a' --state 'my outputs/a'\$" solve pulled.toml --state 'my outputs/a'
+rm -r 'my outputs'
 sed 's/press = 1 /press = -1 /' pulled.toml > never.toml
 expect 1 'not solved: the step from time 0 to ' solve never.toml --vtu outputs/a.vtu --csv outputs/a.csv --state outputs/a
 written ''

@@ -83,6 +83,10 @@ TEST_CASE("von Mises stress of uniaxial, shear and equal biaxial states", "[stre
   CHECK(von_mises(Vector4d(0, 0, 0, 4)) == Approx(4).epsilon(1e-14));
   CHECK(von_mises(Vector4d(0, 0, 2, 0)) == Approx(2 * std::sqrt(3.0)).epsilon(1e-14));
   CHECK(von_mises(Vector4d(5, 5, 0, 0)) == Approx(5).epsilon(1e-14));
+  CHECK(von_mises(Vector4d::Zero()) == 0);
+  const Vector4d stress(3, -1, 2, 0.5);
+  for (const int power : {-1000, -600, 600, 1000})  // whose squares are no doubles
+    CHECK(von_mises(std::ldexp(1, power) * stress) == std::ldexp(von_mises(stress), power));
   CHECK(von_mises(Vector4d(5, 5, 0, 3)) == Approx(2).epsilon(1e-14));
   CHECK(von_mises(Vector4d(5, 5, 0, 5)) == 0);
 }

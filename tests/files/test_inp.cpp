@@ -220,6 +220,86 @@ TEST_CASE("a long head of comments does not hide what a file is", "[mesh][inp]")
   CHECK_FALSE(is_inp(head));
 }
 
+TEST_CASE("a part and the assembly have sets of one name, as CAE makes them", "[mesh][inp]") {
+  // Both call their first set Set-1: all nodes and elements of the part, and the lower side of the assembly.
+  const std::string cae =
+      "*PART, NAME=Part-1\n*NODE\n1,0,0\n2,1,0\n3,1,1\n4,0,1\n*ELEMENT,TYPE=CPS4\n1,1,2,3,4\n"
+      "*NSET, NSET=Set-1, GENERATE\n1,4,1\n*NSET,NSET=both\nSet-1\n*ELSET, ELSET=Set-1\n1\n"
+      "*SOLID SECTION, ELSET=Set-1\n,\n*END PART\n*ASSEMBLY, NAME=Assembly\n"
+      "*INSTANCE, NAME=Part-1-1, PART=Part-1\n*END INSTANCE\n"
+      "*NSET, NSET=Set-1, INSTANCE=Part-1-1\n1, 2\n*NSET,NSET=low\nSet-1\n"
+      "*ELSET, ELSET=set-1, INSTANCE=Part-1-1\n1\n*SURFACE, NAME=Surf-1\nset-1, S1\n*END "
+      "ASSEMBLY\n";
+  const InpMeshes read = parse_inp(cae, "file");
+  REQUIRE(read.meshes.size() == 1);
+  const Mesh& mesh = read.meshes[0];
+  CHECK(mesh.name == "Set-1");
+  CHECK(boundary_nodes(mesh, "Set-1") == std::vector<Index>{0, 1});
+  CHECK(boundary_nodes(mesh, "low") == std::vector<Index>{0, 1});
+  CHECK(boundary(mesh, "Part-1.Set-1").size() == 4);
+  CHECK(boundary(mesh, "both").size() == 4);
+  CHECK(boundary_nodes(mesh, "Surf-1") == std::vector<Index>{0, 1});
+  CHECK(read.further_sets == Names{"Assembly.set-1 (1 cell)", "block 1 (1 cell)"});
+  CHECK(
+      read.notes ==
+      Names{"two node sets are called 'Set-1', one of the part and one of the assembly (lines 9 "
+            "and 21): here 'Set-1' is that of the assembly, and the other one is 'Part-1.Set-1'",
+            "two element sets are called 'set-1', one of the part and one of the assembly (lines "
+            "13 and 25): here 'set-1' is that of the part, and the other one is 'Assembly.set-1'"});
+  // Where a set goes on at its place, it is one.
+  const InpMeshes on = parse_inp(square + "*NSET,NSET=a\n1\n*NSET,NSET=A\n2\n", "file");
+  CHECK(boundary_nodes(on.meshes[0], "a") == std::vector<Index>{0, 1});
+  CHECK(on.notes.empty());
+}
+
+TEST_CASE("a surface of nodes and a node set of one name are two", "[mesh][inp]") {
+  const InpMeshes read = parse_inp(
+      square + "*NSET,NSET=foo\n1,2\n*NSET,NSET=up\n3,4\n*SURFACE,TYPE=NODE,NAME=foo\nup,1.\n",
+      "file");
+  CHECK(boundary_nodes(read.meshes[0], "foo") == std::vector<Index>{2, 3});
+  CHECK(read.notes ==
+        Names{"the node set 'foo' (line 10) is no boundary, as the surface of line 14 "
+              "has this name: rename one of them"});
+}
+
+TEST_CASE("a thickness of a section is not taken, and a note says what to write", "[mesh][inp]") {
+  const auto notes = [](const std::string& section) {
+    return parse_inp(square + section, "file").notes;
+  };
+  const Names wanted = {
+      "the section of 'a' has the thickness 0.5 (line 11), which is not taken: give "
+      "the material of the body thickness = 0.5"};
+  CHECK(notes("*SOLID SECTION, ELSET=a, MATERIAL=m\n0.5,\n") == wanted);
+  CHECK(notes("*SHELL SECTION, ELSET=A\n0.5, 5\n") == wanted);
+  CHECK(notes("*SOLID SECTION, ELSET=a\n1.,\n").empty());
+  CHECK(notes("*SOLID SECTION, ELSET=a\n,\n").empty());
+  CHECK(notes("*SOLID SECTION, ELSET=a\n").empty());
+  CHECK(notes("*ELSET,ELSET=none\n*SOLID SECTION, ELSET=a\n*SOLID SECTION, ELSET=none\n0.5,\n")
+            .empty());
+}
+
+TEST_CASE(
+    "names of an input file end no line and control no terminal, and a comment ends no keyword",
+    "[mesh][inp]") {
+  CHECK(complaint(square + "*NSET, NSET=a\x1b[2J\n1\n") ==
+        "file:10: expected a name without control characters, got 'a?[2J'");
+  CHECK_THAT(complaint(square + "*ODD\x1b[2J\n1\n"),
+             StartsWith("file:10: expected a keyword behind '*', got '*ODD?[2J'"));
+  const Mesh mesh =
+      parse_inp("*NODE,\n** of all\nNSET=all\n1,0,0\n2,1,0\n3,0,1\n*ELEMENT, TYPE=CPS3\n1,1,2,3\n",
+                "file")
+          .meshes.at(0);
+  CHECK(boundary(mesh, "all").size() == 3);
+}
+
+TEST_CASE("an input file in UTF-16 is called by its name", "[mesh][inp]") {
+  for (const std::string mark : {"\xff\xfe", "\xfe\xff"})
+    CHECK(complaint(mark + std::string("*\0N\0", 4)) ==
+          "file:1: this is a text in UTF-16; save it as UTF-8, as iconv -f UTF-16 -t UTF-8 FILE > "
+          "NEW "
+          "does");
+}
+
 TEST_CASE("what would change the mesh and is not read is refused by name", "[mesh][inp]") {
   CHECK(complaint("*INCLUDE, INPUT=a.inp\n") ==
         "file:1: *INCLUDE is not read: put that file in the place of this line");

@@ -44,12 +44,12 @@ const std::string floor_below =
 TEST_CASE("title, solver and output of a scene file", "[scene_file]") {
   const SceneFile file = parsed(
       "title = \"A beam\"\nsolver = \"lemke\"\n" + material +
-      "output = { vtu = \"a\", csv = \"b\", plot = \"c\", state = \"d\" }\n[[body]]\n" + block);
+      "output = { vtu = \"a\", csv = \"b\", plot = \"c.svg\", state = \"d\" }\n[[body]]\n" + block);
   CHECK(file.title == "A beam");
   CHECK(file.scene.solver.name == std::string("lemke"));
   CHECK(file.output.vtu == "a");
   CHECK(file.output.csv == "b");
-  CHECK(file.output.plot == "c");
+  CHECK(file.output.plot == "c.svg");
   CHECK(file.output.state == "d");
   CHECK(file.name == "name");
   CHECK(file.body_lines == std::vector<std::size_t>{5});

@@ -36,6 +36,12 @@ TEST_CASE("friction counts in the resultants, and notes stand in front of the ta
   CHECK(sum.dissipated_total == 2.5);
   solution.notes = {"this is one of several"};
   CHECK(lines_of(pressure_csv(three_gaps(), solution))[0] == "# note this is one of several");
+  solution.notes = {"of 'a\r\nb'"};
+  Model odd = three_gaps();
+  odd.contacts = {"a\nb"};
+  CHECK(lines_of(pressure_csv(odd, solution))[0] == "# note of 'a  b'");
+  CHECK_THAT(lines_of(pressure_csv(odd, solution))[1],
+             StartsWith("# contact a b: force on the source ("));
 }
 
 TEST_CASE("the pairs of every kind are counted", "[pressure_table][friction]") {

@@ -146,6 +146,16 @@ TEST_CASE("a state of another scene, and a step of no size, are refused", "[step
   CHECK_THAT(read(text.substr(0, text.size() / 2)), ContainsSubstring("s:"));
   CHECK_THAT(read("time 1\n"), ContainsSubstring("signorini-state-1"));
   CHECK_THAT(read(text + "1\n"), ContainsSubstring("end of the file"));
+  // However little is missing of what it says.
+  for (const std::size_t kept :
+       {text.size() - 2, text.size() - 5, text.size() - 6, text.size() - 9})
+    CHECK_THAT(
+        read(text.substr(0, kept)),
+        ContainsSubstring("expected a line 'end', without which a part of the file is missing"));
+  // Older states have no such line.
+  const std::string older = "signorini-state-1" + text.substr(text.find('\n'));
+  CHECK_THAT(read(older), ContainsSubstring("expected the end of the file, got 'end'"));
+  CHECK(read(older.substr(0, older.size() - 4)).empty());
   const auto with = [&](const std::string& key, const std::string& value) {
     const std::size_t at = text.find(key) + key.size();
     return text.substr(0, at) + value + text.substr(text.find('\n', at));

@@ -233,6 +233,20 @@ TEST_CASE("the notes of a solution are comments of its VTU file", "[vtu]") {
   CHECK(file.find("FieldData") == std::string::npos);
 }
 
+TEST_CASE("what XML cannot hold is a question mark in a VTU file and in a collection", "[vtu]") {
+  const Folder folder;
+  Solved run = solved("q4");
+  run.model.contacts = {"a\x01 \xff\xc3\xa4 \xef\xbf\xbf\x1b", "b"};
+  run.solution.notes = {"b\x01\xff"};
+  write_vtu(folder.path() / "odd.vtu", run.model, run.solution, {}, VtuNumbers::Ascii);
+  const std::string file = content_of(folder.path() / "odd.vtu");
+  CHECK(is_balanced(file));
+  CHECK_THAT(file, ContainsSubstring("a? ?\xc3\xa4 ????") && ContainsSubstring("note: b?? -->"));
+  CHECK(file.find('\x01') == std::string::npos);
+  write_pvd(folder.path() / "odd.pvd", {{1, "a\x01.vtu"}});
+  CHECK_THAT(content_of(folder.path() / "odd.pvd"), ContainsSubstring("file=\"a?.vtu\""));
+}
+
 TEST_CASE("nothing is written of a problem that is not solved, or where nobody can write",
           "[vtu]") {
   const Folder folder;

@@ -21,6 +21,11 @@ struct Filed {
   const Value* value = nullptr;
 };
 
+/// Where the file is, which from now on is one that the scene reads.
+std::filesystem::path place_of(const Filed& filed, const Origin& origin) {
+  return *origin.files.insert(origin.folder / filed.file).first;
+}
+
 /// The mesh of one surface; those of the others wait for their bodies.
 Mesh mesh_of_surface(const Origin& origin, const std::filesystem::path& file,
                      const std::string& surface) {
@@ -40,7 +45,7 @@ Mesh mesh_of_surface(const Origin& origin, const std::filesystem::path& file,
 }
 
 Mesh mesh_of_file(const Filed& filed, const Origin& origin) {
-  const std::filesystem::path file = origin.folder / filed.file;
+  const std::filesystem::path file = place_of(filed, origin);
   if (filed.groups.size() == 1) return mesh_of_surface(origin, file, filed.groups.front());
   if (filed.groups.size() > 1)
     return mesh_named(read_gmsh(file, {{joined_body, filed.groups}}), joined_body);
@@ -51,12 +56,13 @@ Mesh mesh_of_file(const Filed& filed, const Origin& origin) {
 }
 
 Mesh mesh_of_inp(const Filed& filed, const Origin& origin) {
-  InpMeshes read = read_inp(origin.folder / filed.file, filed.groups);
+  InpMeshes read = read_inp(place_of(filed, origin), filed.groups);
   require_input(read.meshes.size() == 1, "the file has ", read.meshes.size(),
                 " bodies: say which one with set = \"NAME\"; there are: ", names_of(read.meshes));
   if (!read.unread.empty())
     origin.notes.insert(text(filed.file, ": read are nodes, plane elements, sets and surfaces, ",
                              "and not: ", listed(read.unread)));
+  for (const std::string& note : read.notes) origin.notes.insert(filed.file + ": " + note);
   return std::move(read.meshes.front());
 }
 

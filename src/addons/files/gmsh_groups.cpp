@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "addons/text/letters.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/index.hpp"
 
@@ -12,8 +13,6 @@ using Whole = std::int64_t;
 constexpr Whole largest_group = INT32_MAX;
 /// No mesh needs more groups for one entity; without a limit a short file could fill the memory.
 constexpr std::size_t most_groups = 16;
-
-bool not_printed(char c) { return (c >= 0 && c < ' ') || c == '\x7f'; }
 
 }  // namespace
 
@@ -48,7 +47,7 @@ void GmshGroups::read_names(GmshText& in) {
     if (name.size() < 3 || name.front() != '"' || name.back() != '"')
       in.fail("a name in quotation marks", name);
     name = name.substr(1, name.size() - 2);
-    if (name.size() > 127 || std::any_of(name.begin(), name.end(), not_printed))
+    if (name.size() > 127 || has_control_characters(name))
       in.fail("a name of at most 127 printed characters", name);
     if (!names_.emplace(Key{dimension, tag}, name).second)
       in.fail(text("physical group ", tag, " of dimension ", dimension, " is named twice"));

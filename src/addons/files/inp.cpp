@@ -54,6 +54,8 @@ class Maker {
     made.meshes = meshes_of(file_.out, parts);
     made.unread = unread();
     made.further_sets = further_sets(bodies);
+    made.notes = file_.in.notes;
+    for (const InpThickness& one : file_.in.thicknesses) add_note(one, made.notes);
     return made;
   }
 
@@ -140,6 +142,20 @@ class Maker {
         all.push_back(text(set.name, " (", count, count == 1 ? " cell)" : " cells)"));
     }
     return all;
+  }
+
+  /// Says of a thickness of cells of a body that it is not taken.
+  void add_note(const InpThickness& thickness, std::vector<std::string>& notes) {
+    const auto set = file_.in.element_sets.find(thickness.set);
+    if (set == file_.in.element_sets.end()) return;
+    const InpPlaces cells = cells_in(thickness.set);
+    if (std::all_of(cells.begin(), cells.end(),
+                    [&](std::size_t cell) { return file_.body_of[cell] == InpFile::none; }))
+      return;
+    notes.push_back(
+        text("the section of '", set->second.name, "' has the thickness ", thickness.value,
+             " (line ", thickness.line,
+             "), which is not taken: give the material of the body thickness = ", thickness.value));
   }
 
   InpFile file_;

@@ -17,6 +17,8 @@ struct InpMeshes {
   std::vector<std::string> unread;
   /// Further element sets that could be bodies, or parts of them, with the numbers of their cells, as `ALL (24 cells)`.
   std::vector<std::string> further_sets;
+  /// On names that several things have, and thicknesses that are not taken, each with its lines.
+  std::vector<std::string> notes = {};
 };
 
 /// Makes meshes of an input file of CalculiX or Abaqus: nodes, plane elements, sets and surfaces.
@@ -26,8 +28,10 @@ struct InpMeshes {
 /// are one mesh `body`. With `sets` these are one body: of several each becomes a region.
 ///
 /// Boundaries are made of the sides on the border of a body: a surface has those that it names, a set of elements of two or three nodes
-/// those that these lie on, a node set those whose nodes it all has. Of equal names the first in this order is taken. Small and capital letters are
-/// the same in names of sets; meshes and boundaries have them as the file writes them first.
+/// those that these lie on, a surface of nodes or a node set those whose nodes it all has. Of equal names the first in this order is taken,
+/// and a note names the other. Small and capital letters are the same in names of sets; meshes and boundaries have them as the file writes
+/// them first. Two sets of one name, one in the part and one in the assembly, are two: of node sets and surfaces that of the assembly has
+/// the name, of element sets that of the part; the other one is called `Part-1.NAME` or `Assembly.NAME`, and a note says so.
 /// \param content  the text of the file
 /// \param name     of the file, for messages
 /// \param sets     element sets that are the body; usually none

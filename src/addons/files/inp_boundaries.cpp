@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
+#include <utility>
 
 #include "signorini/core/errors.hpp"
 
@@ -24,8 +24,9 @@ class BoundaryMaker {
   void make() {
     find_border();
     add_surfaces();
+    add_nodes(file_.in.node_surfaces, "surface");
     add_lines();
-    add_node_sets();
+    add_nodes(file_.in.node_sets, "node set");
   }
 
  private:
@@ -66,15 +67,20 @@ class BoundaryMaker {
     return true;
   }
 
-  /// The group of a boundary; nothing if the name is taken.
-  std::optional<std::size_t> group_of(const std::string& key, const InpSet& set) {
-    if (!taken_.insert(key).second) return {};
+  /// The group of a boundary; nothing, and a note, if the name is taken. \param what  it is made of
+  std::optional<std::size_t> group_of(const std::string& key, const InpSet& set, const char* what) {
+    if (const auto [other, is_new] = taken_.try_emplace(key, what, set.line); !is_new) {
+      file_.in.notes.push_back(text("the ", what, " '", set.name, "' (line ", set.line,
+                                    ") is no boundary, as the ", other->second.first, " of line ",
+                                    other->second.second, " has this name: rename one of them"));
+      return {};
+    }
     return file_.out.groups.set_of({file_.out.groups.add(1, set.name)});
   }
 
   void add_surfaces() {
     for (const auto& [key, surface] : file_.in.surfaces) {
-      const auto group = group_of(key, surface);
+      const auto group = group_of(key, surface, "surface");
       bool within = false;
       for (const InpEntry& entry : surface.entries) {
         InpPlaces cells;
@@ -107,7 +113,7 @@ class BoundaryMaker {
     for (const auto& [key, set] : file_.in.element_sets) {
       const InpPlaces& places = file_.elements.of(key);
       if (places.empty() || places.front() < file_.in.cells.size()) continue;
-      const auto group = group_of(key, set);
+      const auto group = group_of(key, set, "element set");
       for (const std::size_t place : places) {
         if (!group) break;
         const auto& nodes = file_.element(place).nodes;
@@ -118,13 +124,16 @@ class BoundaryMaker {
     }
   }
 
-  void add_node_sets() {
-    for (const auto& [key, set] : file_.in.node_sets) {
-      const InpPlaces& nodes = file_.nodes.of(key);
+  /// Boundaries of the sides that have all their nodes in a set. \param what  the sets are
+  void add_nodes(const InpSets& sets, const char* what) {
+    for (const auto& [key, set] : sets) {
+      InpPlaces nodes;
+      for (const InpEntry& entry : set.entries) file_.nodes.put(entry, nodes);
+      std::sort(nodes.begin(), nodes.end());
       const auto has = [&](std::size_t node) {
         return std::binary_search(nodes.begin(), nodes.end(), node);
       };
-      const auto group = group_of(key, set);
+      const auto group = group_of(key, set, what);
       if (!group) continue;
       for (const auto& [at, side] : border_)
         if (has(at.first) && has(at.second) && (side.line.n_nodes == 2 || has(side.line.nodes[2])))
@@ -134,7 +143,8 @@ class BoundaryMaker {
 
   InpFile& file_;
   std::map<std::pair<std::size_t, std::size_t>, Border> border_;
-  std::set<std::string> taken_;  // names of boundaries
+  // What the boundary of a key is made of, and where that stands.
+  std::map<std::string, std::pair<const char*, std::size_t>> taken_;
 };
 
 }  // namespace

@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <functional>
 #include <set>
 #include <utility>
 
 #include "addons/files/inp_elements.hpp"
 #include "addons/files/inp_text.hpp"
+#include "addons/files/other_kind.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/core/wording.hpp"
 
 namespace signorini {
 namespace {
@@ -49,9 +52,10 @@ class Reader {
         {"SHELL SECTION", &Reader::begin_section},
         {"MEMBRANE SECTION", &Reader::begin_section},
         {"PART", &Reader::begin_part},
-        {"INSTANCE", &Reader::begin_instance}};
-    static const std::set<std::string> passed = {"HEADING",  "PREPRINT",     "END PART",
-                                                 "ASSEMBLY", "END ASSEMBLY", "END INSTANCE"};
+        {"END PART", &Reader::end_part},
+        {"INSTANCE", &Reader::begin_instance},
+        {"END INSTANCE", &Reader::end_part}};
+    static const std::set<std::string> passed = {"HEADING", "PREPRINT", "ASSEMBLY", "END ASSEMBLY"};
     data_ = {};
     const auto no = inp_refused().find(keyword);
     if (no != inp_refused().end()) in_.fail(text("*", keyword, " is not read: ", no->second));
@@ -64,8 +68,57 @@ class Reader {
     if (in_.has("INPUT")) in_.fail("INPUT= is not read: put that file here");
   }
 
-  InpSet& set_named(InpSets& sets, const std::string& name) const {
-    return sets.try_emplace(inp_key(name), InpSet{name, {}, in_.line()}).first->second;
+  /// A name with its place in front: that of the part, or the assembly.
+  [[nodiscard]] std::string placed(const std::string& name, bool of_part) const {
+    return (of_part ? part_ : "Assembly") + "." + name;
+  }
+
+  /// The key of a set of this name, first of one where the file is now.
+  [[nodiscard]] std::string key_of(const InpSets& sets, const std::string& name) const {
+    std::string own = inp_key(in_part_ ? part_ : "Assembly") + "." + inp_key(name);
+    return sets.count(own) != 0 ? own : inp_key(name);
+  }
+
+  /// A set of this name where the file is now. One of a part and one of the assembly are two: of element sets that of the part
+  /// keeps the name, as it may be a body; of others that of the assembly does, as loads and supports name it.
+  InpSet& set_named(InpSets& sets, const std::string& name) {
+    InpSet wanted{name, {}, in_.line(), in_part_};
+    std::string key = key_of(sets, name);
+    const auto other = sets.find(key);
+    if (other != sets.end() && other->second.of_part != in_part_) {
+      note_two(sets, other->second, name);
+      const bool keeps = &sets == &out_.element_sets ? in_part_ : !in_part_;
+      if (keeps)
+        put_in_place(sets, key);
+      else
+        key = inp_key(wanted.name = placed(name, in_part_));
+    }
+    return sets.try_emplace(key, std::move(wanted)).first->second;
+  }
+
+  /// Puts the place of a set in front of its name.
+  void put_in_place(InpSets& sets, const std::string& key) {
+    auto moved = sets.extract(key);
+    InpSet& set = moved.mapped();
+    set.name = placed(set.name, set.of_part);
+    moved.key() = inp_key(set.name);
+    if (&sets == &out_.node_sets)  // which others name
+      for (InpSets* const all : {&out_.node_sets, &out_.node_surfaces})
+        for (auto& named : *all)
+          for (InpEntry& entry : named.second.entries)
+            if (entry.set == key) entry.set = moved.key();
+    sets.insert(std::move(moved));
+  }
+
+  void note_two(const InpSets& sets, const InpSet& other, const std::string& name) {
+    const bool elements = &sets == &out_.element_sets;
+    const char* const what = elements                   ? "element sets"
+                             : &sets == &out_.node_sets ? "node sets"
+                                                        : "surfaces";
+    out_.notes.push_back(text("two ", what, " are called '", name, "', one of the part and one of ",
+                              "the assembly (lines ", other.line, " and ", in_.line(), "): here '",
+                              name, "' is that of the ", elements ? "part" : "assembly",
+                              ", and the other one is '", placed(name, !elements), '\''));
   }
 
   void begin_nodes() {
@@ -94,8 +147,8 @@ class Reader {
     if (read_as_.corners > 2 && !in_.has("ELSET"))
       set = &set_named(out_.element_sets, text("block ", ++blocks_));
     if (in_.has("ELSET")) {
-      const std::string key = inp_key(in_.value("ELSET"));
       set = &set_named(out_.element_sets, in_.value("ELSET"));
+      const std::string key = key_of(out_.element_sets, in_.value("ELSET"));
       if (std::find(out_.of_elements.begin(), out_.of_elements.end(), key) ==
           out_.of_elements.end())
         out_.of_elements.push_back(key);
@@ -136,11 +189,15 @@ class Reader {
                   " nodes, and ", type_, " has ", wanted_));
   }
 
-  void begin_node_set() { begin_set(out_.node_sets, "NSET", "node"); }
-  void begin_element_set() { begin_set(out_.element_sets, "ELSET", "element"); }
+  void begin_node_set() {
+    begin_set(set_named(out_.node_sets, in_.value("NSET")), out_.node_sets, "node");
+  }
+  void begin_element_set() {
+    begin_set(set_named(out_.element_sets, in_.value("ELSET")), out_.element_sets, "element");
+  }
 
-  void begin_set(InpSets& sets, const char* parameter, const std::string& what) {
-    InpSet& set = set_named(sets, in_.value(parameter));
+  /// Reads the members of a set. \param sets  that they may name
+  void begin_set(InpSet& set, const InpSets& sets, const std::string& what) {
     const bool range = in_.has("GENERATE");
     data_ = [this, &sets, &set, range, what](const Fields& fields) {
       if (!range) {
@@ -166,7 +223,7 @@ class Reader {
       const Whole number = in_.whole(field, what + " number", 1, largest_number);
       return {number, number};
     }
-    const std::string key = inp_key(field);
+    const std::string key = key_of(sets, std::string(field));
     if (sets.count(key) == 0) in_.fail(text("a set of ", what, "s that is defined above"), field);
     InpEntry other;
     other.set = key;
@@ -176,7 +233,7 @@ class Reader {
   void begin_surface() {
     const std::string type = in_.has("TYPE") ? inp_key(in_.value("TYPE")) : "ELEMENT";
     if (type == "NODE") {
-      begin_set(out_.node_sets, "NAME", "node");
+      begin_set(set_named(out_.node_surfaces, in_.value("NAME")), out_.node_sets, "node");
       // Behind the comma stands the area of a node.
       data_ = [read = std::move(data_)](const Fields& fields) { read({fields.front()}); };
       return;
@@ -200,14 +257,29 @@ class Reader {
     };
   }
 
-  void begin_section() { out_.sections.push_back(inp_key(in_.value("ELSET"))); }
+  void begin_section() {
+    const std::string set = key_of(out_.element_sets, in_.value("ELSET"));
+    out_.sections.push_back(set);
+    if (in_.has("COMPOSITE")) return;
+    data_ = [this, set, first = true](const Fields& fields) mutable {
+      if (!std::exchange(first, false) || fields[0].empty()) return;
+      if (const std::string value(fields[0]); std::strtod(value.c_str(), nullptr) != 1)
+        out_.thicknesses.push_back({set, clipped(value), in_.line()});
+    };
+  }
+
+  void end_part() { in_part_ = false; }
 
   void begin_part() {
+    in_part_ = true;
+    part_ = in_.has("NAME") ? in_.value("NAME") : "Part";
     if (++parts_ > 1)
       in_.fail("several parts are not read: write the file without parts and assemblies");
   }
 
   void begin_instance() {
+    in_part_ = true;
+    if (part_.empty()) part_ = in_.has("NAME") ? in_.value("NAME") : "Instance";
     if (++instances_ > 1)
       in_.fail("several instances are not read: write the file without parts and assemblies");
     data_ = [this](const Fields& /*fields*/) {
@@ -225,6 +297,8 @@ class Reader {
   int blocks_ = 0;              // elements that no set is given for
   std::vector<Whole> numbers_;  // of the present element, which may go on in the next line
   std::size_t element_line_ = 0;
+  bool in_part_ = false;  // or in an instance
+  std::string part_;      // name of it
   int parts_ = 0;
   int instances_ = 0;
 };
@@ -232,6 +306,7 @@ class Reader {
 }  // namespace
 
 InpRecords inp_records(std::string_view content, const std::string& name) {
+  require_input(!is_utf16(content), name, ":1: this is ", other_kind(content));
   return Reader(content, name).read();
 }
 

@@ -28,9 +28,18 @@ struct InpSet {
   std::string name;               ///< as the file writes it first
   std::vector<InpEntry> entries;  ///< in the order of the file
   std::size_t line = 0;           ///< where it begins, from 1
+  bool of_part = false;           ///< whether it stands in a part or an instance, and not behind it
 };
 
-/// Sets by their names in capital letters: input files do not tell small letters from large ones.
+/// What a section says of the thickness of elements.
+struct InpThickness {
+  std::string set;       ///< key of their element set
+  std::string value;     ///< as the file writes it
+  std::size_t line = 0;  ///< where it stands, from 1
+};
+
+/// Sets by their names in capital letters: input files do not tell small letters from large ones. Of two sets of one name, one of
+/// a part and one of the assembly, one has its place in front of the name, as in `PART-1.SET-1`.
 using InpSets = std::map<std::string, InpSet>;
 
 /// The mesh of an input file.
@@ -45,11 +54,14 @@ struct InpRecords {
   InpSets element_sets;               ///< and the sets that elements are put into where they stand
   InpSets node_sets;                  ///< alike
   InpSets surfaces;                   ///< of sides of elements
+  InpSets node_surfaces;              ///< of nodes; their entries name sets of `node_sets`
   std::vector<std::string> sections;  ///< keys of the element sets that have a section
   std::vector<std::string>
       of_elements;  ///< keys of the sets that elements are put into where they stand
   std::map<std::string, std::size_t>
       unread;  ///< keywords and elements that are not read, and their first lines
+  std::vector<InpThickness> thicknesses;  ///< other than 1
+  std::vector<std::string> notes;         ///< on names that several things have
 };
 
 /// Reads nodes, elements, sets, surfaces, and which sets have sections.
@@ -58,7 +70,7 @@ struct InpRecords {
 /// \return what it holds; numbers are not looked up
 /// \throws ProblemError `NAME:LINE: ...` if a line that is read is not as it should be, a set is used before it is defined, or
 ///   for what would change the mesh and is not read: files that are included, systems of coordinates, generated and copied nodes and
-///   elements, several parts or instances
+///   elements, several parts or instances; or if the text is UTF-16
 [[nodiscard]] InpRecords inp_records(std::string_view content, const std::string& name);
 
 }  // namespace signorini

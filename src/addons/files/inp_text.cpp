@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "addons/text/letters.hpp"
 #include "signorini/core/errors.hpp"
 
 namespace signorini {
@@ -14,6 +15,8 @@ std::string_view trimmed(std::string_view text) {
   while (!text.empty() && blank(text.back())) text.remove_suffix(1);
   return text;
 }
+
+bool is_comment(std::string_view line) { return line.substr(0, 2) == "**"; }
 
 std::string_view unquoted(std::string_view word) {
   const bool quoted = word.size() > 1 && word.front() == '"' && word.back() == '"';
@@ -44,24 +47,25 @@ bool InpText::next() {
   do {
     if (!next_line()) return false;
     line = rest_of_line();
-  } while (line.substr(0, 2) == "**");
+  } while (is_comment(line));
   keyword_.clear();
   if (line.front() != '*') {
     fields_ = split(line);
     return true;
   }
-  std::string whole(line.substr(1));
-  while (!whole.empty() && whole.back() == ',' && next_line()) whole += rest_of_line();
+  std::string whole(line);
+  while (whole.back() == ',' && next_line())
+    if (const std::string_view more = rest_of_line(); !is_comment(more)) whole += more;
   parameters_.clear();
   for (const std::string_view field : split(whole)) {
     const std::size_t equal = std::min(field.find('='), field.size());
     if (field.data() == whole.data())
-      keyword_ = inp_key(field);
+      keyword_ = inp_key(field.substr(1));
     else
       parameters_[inp_key(field.substr(0, equal))] =
           unquoted(trimmed(field.substr(std::min(equal + 1, field.size()))));
   }
-  if (keyword_.empty()) fail("a keyword behind '*'", line);
+  if (keyword_.empty() || has_control_characters(keyword_)) fail("a keyword behind '*'", line);
   return true;
 }
 
@@ -69,6 +73,8 @@ const std::string& InpText::value(const char* parameter) const {
   const auto found = parameters_.find(parameter);
   if (found == parameters_.end() || found->second.empty())
     fail(text("*", keyword_, ": expected a parameter ", parameter, "=NAME"));
+  if (has_control_characters(found->second))
+    fail("a name without control characters", found->second);
   return found->second;
 }
 

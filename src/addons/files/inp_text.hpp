@@ -32,7 +32,7 @@ class InpText : public TextReader {
   /// \param parameter  its key \return whether the last keyword has it
   [[nodiscard]] bool has(const char* parameter) const { return parameters_.count(parameter) != 0; }
   /// \param parameter  its key \return its value, as it is written
-  /// \throws ProblemError if the last keyword has none
+  /// \throws ProblemError if the last keyword has none, or one with control characters
   [[nodiscard]] const std::string& value(const char* parameter) const;
 
  private:

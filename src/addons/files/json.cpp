@@ -3,28 +3,12 @@
 #include <cmath>
 #include <cstdio>
 
+#include "addons/text/letters.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/table.hpp"
 
 namespace signorini {
 namespace {
-
-/// How many bytes the letter of UTF-8 beyond ASCII has that begins at `at`; 0 if none does.
-std::size_t length_of_letter(const std::string& text, std::size_t at) {
-  const auto byte = [&](std::size_t k) {
-    return at + k < text.size() ? static_cast<unsigned char>(text[at + k]) : 0U;
-  };
-  const unsigned first = byte(0);
-  const std::size_t length = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
-  if (first < 0xc2 || first > 0xf4) return 0;
-  for (std::size_t k = 1; k < length; ++k)
-    if (byte(k) < 0x80 || byte(k) > 0xbf) return 0;
-  // What a shorter letter says, halves of pairs of UTF-16, and what lies beyond the last letter.
-  const unsigned second = byte(1);
-  const bool none = (first == 0xe0 && second < 0xa0) || (first == 0xed && second > 0x9f) ||
-                    (first == 0xf0 && second < 0x90) || (first == 0xf4 && second > 0x8f);
-  return none ? 0 : length;
-}
 
 std::string quoted(const std::string& text) {
   std::string result = "\"";

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <type_traits>
 
+#include "addons/text/letters.hpp"
 #include "signorini/core/index.hpp"
 
 namespace signorini {
@@ -43,6 +44,9 @@ void read_as(const Value& value, bool& into, Bound /*bound*/) {
 
 void read_as(const Value& value, std::string& into, Bound /*bound*/) {
   if (value.kind != Value::Kind::Text || value.text.empty()) wrong_type(value, "text");
+  if (has_control_characters(value.text))
+    value.fail("expected a text of one line, got one with control characters, ",
+               in_quotes(value.text), ": take out ends of lines, tabs and what begins with escape");
   into = value.text;
 }
 

@@ -30,6 +30,21 @@ void read_points(const Value& value, Profile& profile) {
   for (const Value& item : value.items) take(item, profile.points.emplace_back());
 }
 
+/// Refuses a comma without a number on either side of it: what is left of the line would be read for another place.
+void check_commas(const std::string& content, const std::string& name) {
+  TextReader reader(content, name);
+  while (reader.next_line()) {
+    char before = ',';
+    for (const char c : reader.rest_of_line()) {
+      if (c == ' ' || c == '\t') continue;
+      if (c == ',' && before == ',')
+        reader.fail("expected x and y, got a comma without a number before it");
+      before = c;
+    }
+    if (before == ',') reader.fail("expected x and y, got a comma without a number behind it");
+  }
+}
+
 /// Two numbers in each line, with a blank or a comma between them.
 void read_points_of_file(const Value& value, Profile& profile) {
   ++profile.sources;
@@ -37,7 +52,9 @@ void read_points_of_file(const Value& value, Profile& profile) {
   std::string name;
   take(value, name);
   const std::filesystem::path file = value.origin->folder / name;
+  value.origin->files.insert(file);
   std::string content = value.explain([&] { return file_content(file, largest); });
+  value.explain([&] { check_commas(content, file.string()); });
   std::replace(content.begin(), content.end(), ',', ' ');
   value.explain([&] {
     TextReader reader(content, file.string());

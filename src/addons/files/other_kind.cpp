@@ -53,6 +53,8 @@ struct OtherKind {
 };
 
 const OtherKind other_kinds[] = {
+    {[](const Head& head) { return is_utf16(head.bytes); }, "a text in UTF-16",
+     "save it as UTF-8, as iconv -f UTF-16 -t UTF-8 FILE > NEW does"},
     {[](const Head& head) { return head.begins("\x89hdf"); }, "an HDF5 file, as MED and CGNS are",
      "of MED, tools/med2inp.py makes an input file with its groups, for kind = \"inp\""},
     {[](const Head& head) { return head.begins("cdf\x01") || head.begins("cdf\x02"); },
@@ -102,6 +104,10 @@ const OtherKind other_kinds[] = {
 };
 
 }  // namespace
+
+bool is_utf16(std::string_view content) {
+  return content.substr(0, 2) == "\xff\xfe" || content.substr(0, 2) == "\xfe\xff";
+}
 
 std::string other_kind(std::string_view content) {
   const Head head(content);

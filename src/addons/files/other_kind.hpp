@@ -12,4 +12,7 @@ namespace signorini {
 /// \return what it is, and how to save what is read, in words that follow "this is"; empty if nothing is known
 [[nodiscard]] std::string other_kind(std::string_view content);
 
+/// \param content  of a file \return whether it begins as a text in UTF-16 does
+[[nodiscard]] bool is_utf16(std::string_view content);
+
 }  // namespace signorini

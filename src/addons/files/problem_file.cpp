@@ -53,6 +53,18 @@ Eigen::VectorXd read_vector(TextReader& in, const std::string& name, Index size)
   return read_entries(in, name, size);
 }
 
+/// Bounds of rows; a word that is no number may be meant for none.
+Eigen::VectorXd read_bounds(TextReader& in, const std::string& name, Index size) {
+  in.expect_line(name);
+  try {
+    return read_entries(in, name, size);
+  } catch (const ProblemError& error) {
+    const bool number = std::string(error.what()).find("a finite number") != std::string::npos;
+    throw ProblemError(text(error.what(), number ? "; for no bound write " : "",
+                            number ? (name == "l" ? "-1e20" : "1e20") : ""));
+  }
+}
+
 /// A problem whose line `n NUMBER` and line `M` were read.
 FiledProblem read_block(TextReader& in, std::size_t line, Index n) {
   FiledProblem filed;
@@ -121,8 +133,8 @@ TwoSidedProgramme read_programme(TextReader& in, Index n, Index m) {
   make_symmetric(in, programme.P);
   programme.q = read_vector(in, "q", n);
   programme.A = read_matrix(in, "A", m, n);
-  programme.lower = read_vector(in, "l", m);
-  programme.upper = read_vector(in, "u", m);
+  programme.lower = read_bounds(in, "l", m);
+  programme.upper = read_bounds(in, "u", m);
   check_bounds(in, programme);
   if (in.next_line()) in.fail("the end of the file after 'u'", in.word());
   return programme;

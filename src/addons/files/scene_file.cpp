@@ -113,6 +113,7 @@ SceneFile parse_scene(std::string_view content, const std::string& name,
   check_histories(draft);
   const std::set<std::string>& of_files = root.origin->notes;
   draft.file.notes.insert(draft.file.notes.end(), of_files.begin(), of_files.end());
+  draft.file.files.assign(root.origin->files.begin(), root.origin->files.end());
   return std::move(draft.file);
 }
 

@@ -1,6 +1,7 @@
 /// \file
 /// Scenes from files: TOML texts of bodies, contacts and what is written out.
 #pragma once
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <string>
@@ -35,7 +36,11 @@ struct SceneFile {
   std::vector<std::size_t> tie_lines = {};  ///< where each tie of the bonds begins, from 1
   /// What a user should know of how the file was understood, each with its line: for the notes of a plan.
   std::vector<std::string> notes = {};
+  std::vector<std::filesystem::path> files = {};  ///< that the text names and that were read
 };
+
+/// What the name of a picture may end with.
+inline constexpr std::array picture_endings = {".svg", ".png", ".pdf"};
 
 /// Makes a scene of a TOML text. examples/README.md lists the keys, see key_reference().
 /// \param content  the text

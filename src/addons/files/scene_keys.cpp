@@ -126,6 +126,13 @@ void read_moves(const Value& value, SceneDraft& draft) {
                  ", and its pairs are those of where it has moved to: leave out the key, or the law");
 }
 
+void read_plot(const Value& value, Output& output) {
+  take(value, output.plot);
+  const std::string ending = std::filesystem::path(output.plot).extension().string();
+  if (std::find(picture_endings.begin(), picture_endings.end(), ending) == picture_endings.end())
+    value.fail("expected a file .svg, .png or .pdf, got ", in_quotes(output.plot));
+}
+
 void read_halvings(const Value& value, SceneDraft& draft) {
   std::optional<Path>& path = draft.file.scene.path;
   if (!path) value.fail("has no meaning without [[steps]]: leave it out");
@@ -217,7 +224,8 @@ const Keys<Output>& output_keys() {
       key("vtu", &Output::vtu, "", "file of meshes and fields, for ParaView"),
       key("ascii", &Output::ascii, "", "whether its numbers are text, in the place of their bytes"),
       key("csv", &Output::csv, "", "file of the pressure table"),
-      key("plot", &Output::plot, "", "picture of pressure and deformed meshes, .svg, .png or .pdf"),
+      {{"plot", "text", "", "", "picture of pressure and deformed meshes, .svg, .png or .pdf"},
+       read_plot},
       key("state", &Output::state, "", "of load steps: where they are, for --from"),
       key("probes", &Output::probes, "", "file of the table of what [[probe]] reads")};
   return keys;

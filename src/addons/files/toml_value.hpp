@@ -25,6 +25,8 @@ struct Origin {
   mutable std::map<std::filesystem::path, std::vector<Mesh>> waiting = {};
   /// What a user should know of files that it names, each once.
   mutable std::set<std::string> notes = {};
+  /// Files that it names and that were read.
+  mutable std::set<std::filesystem::path> files = {};
 };
 
 /// One value of a TOML text.

@@ -11,6 +11,7 @@
 #include "addons/certified/solve_with_proofs.hpp"
 #include "addons/programme/active_set_programme.hpp"
 #include "addons/programme/equation_imbalance.hpp"
+#include "addons/programme/equation_split.hpp"
 #include "addons/programme/programme_rows.hpp"
 #include "addons/programme/proximal_programme.hpp"
 #include "signorini/core/errors.hpp"
@@ -155,6 +156,23 @@ DenseSolution by_proximal_points(const DenseProgramme& programme, const Solver& 
       }));
 }
 
+/// The same where springs do not make K definite, because it is negative across the equations: with a K that is nowhere negative, and
+/// forces of the equations from the balance of the programme as it was posed.
+DenseSolution by_convex_form(const DenseProgramme& programme, const Solver& solver,
+                             const SolverOptions& options) {
+  try {
+    return by_proximal_points(programme, solver, options);
+  } catch (const NotDefinite&) {
+    const std::optional<DenseProgramme> convex = convex_form(programme);
+    if (!convex) throw;
+    DenseSolution solution = by_proximal_points(*convex, solver, options);
+    if (solution.report.status == SolveStatus::Solved)
+      solution.refined.force.head(programme.equations) =
+          equation_forces(programme, solution.refined);
+    return confirmed(programme, std::move(solution));
+  }
+}
+
 /// Solves by itself each system that nothing but rounding connects with the others. Nothing if all is connected or one
 /// of them has no solution.
 std::optional<DenseSolution> separate_solution(const DenseProgramme& programme,
@@ -208,7 +226,7 @@ DenseSolution solve(const DenseProgramme& programme, const Solver& solver,
                                                : solve_condensed(programme, solver, options));
   } catch (const NotDefinite&) {
     definite = false;
-    solution = by_proximal_points(programme, solver, options);
+    solution = by_convex_form(programme, solver, options);
   }
   if (solution.report.status != SolveStatus::Breakdown) return solution;
   std::optional<DenseSolution> other;

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "addons/programme/dense_programme.hpp"
+#include "addons/programme/equation_split.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/core/triangular.hpp"
@@ -56,6 +58,19 @@ CholeskyFactor factored(const DenseProgramme& programme, const VectorXd& rho, do
   return factor;
 }
 
+/// The same with as much of each equation as is needed. \param[out] rho  what each adds
+CholeskyFactor factored(const DenseProgramme& programme, double spring, VectorXd& rho) {
+  rho = equation_stiffness(programme, spring);
+  try {
+    return factored(programme, rho, spring);
+  } catch (const NotDefinite&) {
+    const std::optional<VectorXd> enough = sufficient_stiffness(programme, spring);
+    if (!enough) throw;
+    rho = *enough;
+    return factored(programme, rho, spring);
+  }
+}
+
 }  // namespace
 
 void check_sizes(const DenseProgramme& programme) {
@@ -79,8 +94,7 @@ void check_sizes(const DenseProgramme& programme) {
 ProgrammeRows::ProgrammeRows(const DenseProgramme& programme, double spring)
     : programme_(programme), spring_(spring) {
   check_sizes(programme);
-  rho_ = equation_stiffness(programme, spring);
-  factor_ = factored(programme, rho_, spring);
+  factor_ = factored(programme, spring, rho_);
   const Index n = programme.load.size();
   displacement_ = programme.load;
   if (equations() > 0) {

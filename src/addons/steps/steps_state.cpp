@@ -11,7 +11,10 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr const char* first_line = "signorini-state-1";
+constexpr std::string_view first_line = "signorini-state-2";
+constexpr std::string_view without_end =
+    "signorini-state-1";  // of versions that did not mark the end
+constexpr std::string_view last_line = "end";
 constexpr const char* began = "last-step-began";           // only where bodies move
 constexpr const char* elsewhere = "dissipated-elsewhere";  // too
 constexpr std::string_view status_letters = "osfb";        // in the order of ContactStatus
@@ -53,21 +56,41 @@ void read_vector(TextReader& reader, const char* name, VectorXd& values) {
   for (double& value : values) value = reader.number(reader.word_anywhere(), name);
 }
 
-/// What only bodies that move have, at the end of the file.
-void read_motion(TextReader& reader, PathState& state) {
-  if (!reader.next_line()) return;
-  std::string_view word = reader.word();
+/// Whether the file marks its end, by its first line.
+bool marks_its_end(TextReader& reader) {
+  reader.next_line();
+  const std::string_view word = reader.word();
+  if (word != first_line && word != without_end)
+    reader.fail(text("a line with the single word '", first_line, "', or '", without_end,
+                     "' of an older version"),
+                word);
+  reader.expect_end_of_line(std::string(word));
+  return word == first_line;
+}
+
+/// What only bodies that move have, and the end of the file. \param marked  whether a line says that this is the end
+void read_rest(TextReader& reader, bool marked, PathState& state) {
+  const auto next = [&] { return reader.next_line() ? reader.word() : std::string_view(); };
+  std::string_view word = next();
   if (word == began) {
     state.began = reader.number(reader.word(), began);
     reader.expect_end_of_line(began);
     read_vector(reader, "way", state.way);
-    if (!reader.next_line()) return;
-    word = reader.word();
+    word = next();
   }
-  if (word != elsewhere) reader.fail("the end of the file", word);
-  state.dissipated_elsewhere = reader.number(reader.word(), elsewhere);
-  reader.expect_end_of_line(elsewhere);
-  if (reader.next_line()) reader.fail("the end of the file", reader.word());
+  if (word == elsewhere) {
+    state.dissipated_elsewhere = reader.number(reader.word(), elsewhere);
+    reader.expect_end_of_line(elsewhere);
+    word = next();
+  }
+  if (marked) {
+    if (word != last_line)
+      reader.fail(text("a line '", last_line, "', without which a part of the file is missing"),
+                  word);
+    reader.expect_end_of_line(std::string(last_line));
+    word = next();
+  }
+  if (!word.empty()) reader.fail("the end of the file", word);
 }
 
 }  // namespace
@@ -86,12 +109,13 @@ void write_state(const PathState& state, std::ostream& out) {
   }
   if (state.dissipated_elsewhere != 0)
     out << elsewhere << ' ' << shortest(state.dissipated_elsewhere) << '\n';
+  out << last_line << '\n';
 }
 
 PathState read_state(const std::string& content, const std::string& name) {
   TextReader reader(content, name);
   PathState state;
-  reader.expect_line(first_line);
+  const bool marked = marks_its_end(reader);
   state.steps = next_size(reader, "steps", 1);
   state.time = reader.number(word_after(reader, "time"), "time");
   reader.expect_end_of_line("time");
@@ -108,7 +132,7 @@ PathState read_state(const std::string& content, const std::string& name) {
   visit_vectors(state, [&](const char* what, VectorXd& values) {
     read_vector(reader, what, values);
   });
-  read_motion(reader, state);
+  read_rest(reader, marked, state);
   return state;
 }
 

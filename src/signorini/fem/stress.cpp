@@ -210,12 +210,17 @@ double strain_energy(const Mesh& mesh, const Element& element, const MaterialFie
 }
 
 /// What is left when the mean of the three direct stresses is taken out. For tension \f$\sigma\f$
-/// in one direction it is \f$\sigma\f$, for the same pressure from all sides it is 0.
+/// in one direction it is \f$\sigma\f$, for the same pressure from all sides it is 0. The square of
+/// \f$10^{160}\f$ is no double, and that of \f$10^{-170}\f$ is 0. So the stresses are divided by a
+/// power of two first, which rounds nothing.
 double von_mises(const Eigen::Vector4d& stress) {
-  const double xy = stress(0) - stress(1);
-  const double yz = stress(1) - stress(3);
-  const double zx = stress(3) - stress(0);
-  return std::sqrt(0.5 * (xy * xy + yz * yz + zx * zx) + 3 * stress(2) * stress(2));
+  const double largest = stress.cwiseAbs().maxCoeff();
+  const int power = largest > 0 && std::isfinite(largest) ? std::ilogb(largest) : 0;
+  const Eigen::Vector4d s = stress.unaryExpr([=](double x) { return std::ldexp(x, -power); });
+  const double xy = s(0) - s(1);
+  const double yz = s(1) - s(3);
+  const double zx = s(3) - s(0);
+  return std::ldexp(std::sqrt(0.5 * (xy * xy + yz * yz + zx * zx) + 3 * s(2) * s(2)), power);
 }
 
 }  // namespace signorini

@@ -99,6 +99,14 @@ void write_comment(std::ostream& out, const std::string& what, const Resultants&
   out << '\n';
 }
 
+// A comment ends with its line. A name that a program has given may have an end of a line in it, and
+// what stands behind that would be a row of the table: it becomes a blank.
+std::string on_one_line(std::string words) {
+  std::replace_if(
+      words.begin(), words.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  return words;
+}
+
 }  // namespace
 
 // All pairs into one sum.
@@ -132,14 +140,15 @@ std::string pressure_csv(const Model& model, const Solution& solution, const std
   std::ostringstream out;
   out << std::setprecision(10);
   if (!tolerance.empty()) out << "# tolerance " << tolerance << '\n';
-  for (const std::string& note : solution.notes) out << "# note " << note << '\n';
+  for (const std::string& note : solution.notes) out << "# note " << on_one_line(note) << '\n';
   const bool several = model.contacts.size() > 1;
   const bool named = several || sum.frictional_pairs > 0;
   if (several || !named) write_comment(out, "force on the sources", sum);
   if (named) {
     const std::vector<Resultants> each = resultants_of_contacts(model, solution, totals);
     for (std::size_t k = 0; k < each.size(); ++k)
-      write_comment(out, "contact " + model.contacts[k] + ": force on the source", each[k]);
+      write_comment(out, on_one_line("contact " + model.contacts[k] + ": force on the source"),
+                    each[k]);
   }
   return out.str() + csv_head(columns) + csv_lines(columns);
 }
