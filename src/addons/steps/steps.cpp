@@ -168,7 +168,8 @@ Step Walk::taken(double time) {
     return step(end.state, time, model, path, std::exchange(ledger, {}));
   } catch (const ProblemError& error) {
     if (end.state.steps == 0) throw;
-    Step none{{}, end.state};
+    Step none;
+    none.state = end.state;
     none.solution.contact.report.status = SolveStatus::Breakdown;
     none.solution.contact.reason = error.what();
     return none;
