@@ -161,13 +161,13 @@ struct Walk {
   bool reaches(double time);
 };
 
-/// A step of this path. What the first one refuses is an input that is wrong; what a later one cannot do is a step that is not solved,
-/// and all before it stays.
+/// A step of this path. What the first one refuses is an input that is wrong. Where bodies move, what a later one cannot do is a step
+/// that is not solved, and all before it stays.
 Step Walk::taken(double time) {
   try {
     return step(end.state, time, model, path, std::exchange(ledger, {}));
   } catch (const ProblemError& error) {
-    if (end.state.steps == 0) throw;
+    if (end.state.steps == 0 || !model.loop) throw;
     Step none;
     none.state = end.state;
     none.solution.contact.report.status = SolveStatus::Breakdown;
