@@ -161,6 +161,9 @@ void print_verdict(std::ostream& out, const AccuracyRun& accuracy) {
   if (last.error && *last.error == last.saturation && last.saturation > 0)
     out << "  change: " << by_value(last.saturation, last.value)
         << " (used); what the value changed by from mesh to mesh and no estimate foresaw\n";
+  if (last.error && *last.error == last.to_come && last.to_come > 0)
+    out << "  to come: " << by_value(last.to_come, last.value)
+        << " (used); if answers go on from mesh to mesh as the last two did\n";
   if (last.model_error > 0)
     out << "  misfit: " << by_value(last.model_error, last.value)
         << "; between fits of the middle of the pressure and of half of that\n";
@@ -189,7 +192,8 @@ void write(Json& json, const AccuracyRun& accuracy) {
       json.key("reading").value(round.parts.quadrature_error);
       json.key("free_boundary").value(round.parts.free_boundary);
       json.key("outline").value(round.parts.outline);
-      json.key("overlooked").value(round.saturation).key("misfit").value(round.model_error);
+      json.key("overlooked").value(round.saturation).key("to_come").value(round.to_come);
+      json.key("misfit").value(round.model_error);
       json.key("algebraic").value(round.algebraic);
     }
     json.key("seconds").value(round.seconds).key("estimating").value(round.estimating).end();

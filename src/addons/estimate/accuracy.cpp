@@ -53,6 +53,14 @@ double saturation_since(const AccuracyRound& last, const AccuracyRound& now) {
   return std::max(change - allowed, coarser * last.saturation);
 }
 
+/// What is still to come if answers go on as from the mesh before, see solve_to_accuracy().
+double to_come_since(const AccuracyRound& last, const AccuracyRound& now, bool is_signed) {
+  const double coarser = static_cast<double>(last.unknowns) / static_cast<double>(now.unknowns);
+  const double foreseen = std::max(now.of_estimate / last.of_estimate, least_left);
+  const double left = is_signed || !(foreseen < coarser) ? coarser : foreseen;
+  return left < 1 ? std::abs(now.value - last.value) * left / (1 - left) : 0;
+}
+
 class Loop {
  public:
   Loop(Scene scene, const Accuracy& wanted) : wanted_(wanted) {
@@ -129,8 +137,11 @@ class Loop {
     const auto last =
         std::find_if(run_.rounds.rbegin(), run_.rounds.rend(),
                      [](const AccuracyRound& other) { return other.error.has_value(); });
-    if (last != run_.rounds.rend()) round.saturation = saturation_since(*last, round);
-    round.error = std::max({round.of_estimate, round.saturation, round.model_error});
+    if (last != run_.rounds.rend()) {
+      round.saturation = saturation_since(*last, round);
+      round.to_come = to_come_since(*last, round, estimated.is_signed);
+    }
+    round.error = std::max({round.of_estimate, round.saturation, round.to_come, round.model_error});
   }
 
   /// Says how it stands.
