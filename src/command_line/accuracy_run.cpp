@@ -166,7 +166,7 @@ void print_verdict(std::ostream& out, const AccuracyRun& accuracy) {
         << " (used); if answers go on from mesh to mesh as the last two did\n";
   if (last.model_error > 0)
     out << "  misfit: " << by_value(last.model_error, last.value)
-        << "; between fits of the middle of the pressure and of half of that\n";
+        << "; between ellipses fitted to different parts of the pressure\n";
   for (const BudgetLine& line : accuracy.budget)
     out << "  " << line.source << ": "
         << (line.amount ? by_value(*line.amount, last.value) : "not estimated") << "; "

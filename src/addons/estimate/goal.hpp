@@ -89,8 +89,9 @@ struct GoalGradient {
                                       const Goal& goal);
 
 /// What a reading may be wrong by because pressure is not what it takes it for: of a PeakPressure, how far the peak of half
-/// of the middle that is fitted is from that of all of it; the whole peak if that half cannot be fitted. Of Hertz's
-/// contact it vanishes as the mesh is refined.
+/// of the middle that is fitted is from that of all of it; the whole peak if that half cannot be fitted. Of a HalfWidth, how
+/// far it is from that of an ellipse with the fitted peak which bears the same force; the whole width if no peak can be
+/// fitted. Of Hertz's contact it vanishes as the mesh is refined.
 /// \param model     from build()
 /// \param solution  of it
 /// \param goal      any

@@ -54,8 +54,8 @@ std::string limiting_cause(const AccurateSolution& run) {
            (end.empty() ? end : "; " + end);
   }
   if (last.model_error > 0 && *last.error == last.model_error)
-    return "the reading is most of the error: fits of the middle of the pressure and of half of "
-           "that differ, so it does not press as Hertz's contact does; ask for its force or for a "
+    return "the reading is most of the error: ellipses fitted to different parts of the pressure "
+           "differ, so it does not press as Hertz's contact does; ask for its force or for a "
            "displacement";
   const ErrorParts& parts = last.parts;
   const double outline = std::abs(parts.outline);
