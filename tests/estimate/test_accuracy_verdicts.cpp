@@ -11,6 +11,7 @@
 #include "meshes/reshape.hpp"
 #include "meshes/ring.hpp"
 #include "meshes/split.hpp"
+#include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
 
 using namespace signorini;
@@ -138,6 +139,24 @@ TEST_CASE("parts of an estimate that cancel do not make an answer that still mov
           Approx(std::abs(last.value - before.value) * left / (1 - left)).epsilon(1e-12).margin(0));
     CHECK(*last.error >= last.to_come);
   }
+}
+
+TEST_CASE("a layer one cell thick is halved across", "[accuracy]") {
+  // Stresses of its cells are recovered with those of no others, and nothing is known of them across.
+  Scene scene;
+  Body& strip = scene.bodies.front();
+  strip.mesh = block("strip", {0, 0}, {4, 1}, 4, 2, MeshOrder::Quadratic);
+  for (Eigen::Index cell = 4; cell < 8; ++cell) strip.mesh.regions["skin"].push_back(cell);
+  strip.material = {1000, 0.3, PlaneState::Strain, 1};
+  strip.layers = {{"skin", {20000, 0.3, PlaneState::Strain, 1}}};
+  strip.supports = {fixed("left")};
+  strip.loads.edges = {{"top", 0.5, {}}};
+  scene.contacts = {{{"bottom"}, half_plane({0, -0.002}, {0, 1})}};
+  const AccurateSolution result = accurate(scene, "normal_force", 0.01);
+  REQUIRE(result.met);
+  CHECK_FALSE(result.rounds.front().error.has_value());
+  // Of eight times as many cells each way it is 0.992.
+  CHECK(result.rounds.back().value == Approx(0.992).epsilon(0.01).margin(0));
 }
 
 TEST_CASE("a contact that touches at a point is given up by that name", "[accuracy]") {
