@@ -8,6 +8,7 @@
 #include <ostream>
 #include <utility>
 
+#include "addons/checks/point_supports.hpp"
 #include "addons/estimate/goal_words.hpp"
 #include "addons/steps/steps_limit.hpp"
 #include "command_line/run_monitor.hpp"
@@ -70,6 +71,7 @@ AccuracyRun understood(const AccuracyWish& wish, const SceneRun& run) {
                              Ledger ledger) {
     return solve_to_limit(scene, model, condensed, std::move(ledger));
   };
+  accuracy.wanted.doubts = point_supports;
   if (!wish.unknowns.empty()) {
     const std::optional<double> most = positive(wish.unknowns);
     require_input(most.has_value(), "--unknowns: expected a number above 0, got ",

@@ -141,6 +141,48 @@ TEST_CASE("parts of an estimate that cancel do not make an answer that still mov
   }
 }
 
+TEST_CASE("a value that symmetry makes 0 is not refined for", "[accuracy]") {
+  const Scene scene = pressed_block(4, {fixed("left"), fixed("right")});
+  const AccurateSolution result = accurate(scene, "displacement:top.x", 0.02);
+  CHECK_FALSE(result.met);
+  CHECK(result.rounds.size() == 1);
+  CHECK_THAT(result.verdict,
+             ContainsSubstring("the value is 0, which no error can be compared with"));
+  const Goal across = goal_in_words("displacement:top.x", plan(scene));
+  const Goal down = goal_in_words("displacement:top.y", plan(scene));
+  const double terms = terms_of(result.model, result.solution, across);
+  CHECK(terms == terms_of(result.model, result.solution, down));
+  CHECK(terms >= std::abs(value(result.model, result.solution, down)));
+  CHECK(terms < 1.1 * std::abs(value(result.model, result.solution, down)));
+}
+
+TEST_CASE("what no finer mesh mends ends refinement by its name", "[accuracy]") {
+  const Scene scene = pressed_block(4, {fixed("left")});
+  Accuracy wanted{0.02, goal_in_words("displacement:top.y", plan(scene))};
+  CHECK(solve_to_accuracy(scene, wanted).met);
+  wanted.doubts = [](const Model& model, const Solution& solution) {
+    CHECK(solution.displacements[0].rows() == model.bodies[0].mesh.n_nodes());
+    return std::vector<std::string>{"a pillar stands on a needle"};
+  };
+  const AccurateSolution result = solve_to_accuracy(scene, wanted);
+  CHECK_FALSE(result.met);
+  CHECK(result.verdict == "a pillar stands on a needle");
+  CHECK(result.rounds.back().error.has_value());
+}
+
+TEST_CASE("a finer mesh that cannot be forecast leaves the answer, and the reason", "[accuracy]") {
+  const Scene scene = pressed_block(4, {fixed("left")});
+  Accuracy wanted{1e-6, goal_in_words("displacement:top.y", plan(scene))};
+  wanted.most_seconds = 1e-9;
+  wanted.forecast = [](const Scene&) -> double { throw ProblemError("no side has an area"); };
+  const AccurateSolution result = solve_to_accuracy(scene, wanted);
+  CHECK_FALSE(result.met);
+  CHECK_THAT(result.verdict, ContainsSubstring("the next mesh gives no answer") &&
+                                 ContainsSubstring("no side has an area"));
+  CHECK(result.rounds.size() == 1);
+  CHECK(result.solution.contact.report.status == SolveStatus::Solved);
+}
+
 TEST_CASE("a layer one cell thick is halved across", "[accuracy]") {
   // Stresses of its cells are recovered with those of no others, and nothing is known of them across.
   Scene scene;

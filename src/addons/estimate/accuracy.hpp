@@ -26,6 +26,8 @@ struct Accuracy {
   std::function<Solution(const Scene& scene, const Model& model, const Condensed& condensed,
                          Ledger ledger)>
       solve = {};
+  /// Says what no finer mesh mends, as point_supports() of the add-on checks; empty: nothing is asked
+  std::function<std::vector<std::string>(const Model& model, const Solution& solution)> doubts = {};
 };
 
 /// What one mesh came to.
@@ -90,6 +92,9 @@ struct AccurateSolution {
 /// many again if only the estimate is too large on a mesh that would confirm. What
 /// goals and gaps overlook between nodes falls to the sides of the source that are closed, the free boundary to those where
 /// contact ends, and what a curved outline leaves to its sides.
+///
+/// A value that is nothing beside what it is a sum of, see terms_of(), is 0, and no error can be compared with it. What
+/// Accuracy::doubts says of the first mesh that resolves contact ends it.
 ///
 /// Where no contact closes, or refinement closes no more pairs of one that it does not resolve, all cells are halved,
 /// twice at most for either, before that is the verdict: coarse meshes are too stiff.

@@ -213,6 +213,22 @@ double value(const Model& model, const Solution& solution, const Goal& goal) {
   });
 }
 
+double terms_of(const Model& model, const Solution& solution, const Goal& goal) {
+  double sum = 0;
+  if (const auto* moved = std::get_if<Displacement>(&goal.quantity)) {
+    const NodeSum of = nodes_of(model, *moved, goal.name);
+    for (std::size_t k = 0; k < of.nodes.size(); ++k)
+      sum += std::abs(of.share(static_cast<Index>(k))) *
+             solution.displacements[of.body].row(of.nodes[k]).norm();
+    return sum;
+  }
+  const auto* force = std::get_if<NormalForce>(&goal.quantity);
+  if (force == nullptr) return std::abs(value(model, solution, goal));
+  for (const Index pair : pairs_of(model, force->contact))
+    sum += std::abs(share_at(*force, model, pair) * solution.contact.force(pair));
+  return sum;
+}
+
 GoalGradient gradient(const Model& model, const Solution& solution, const Goal& goal) {
   require_numbers(solution, goal);
   if (const auto* moved = std::get_if<Displacement>(&goal.quantity))
