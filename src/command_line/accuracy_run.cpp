@@ -8,6 +8,7 @@
 #include <ostream>
 #include <utility>
 
+#include "addons/checks/point_supports.hpp"
 #include "addons/estimate/goal_words.hpp"
 #include "addons/steps/steps_limit.hpp"
 #include "command_line/run_monitor.hpp"
@@ -70,6 +71,7 @@ AccuracyRun understood(const AccuracyWish& wish, const SceneRun& run) {
                              Ledger ledger) {
     return solve_to_limit(scene, model, condensed, std::move(ledger));
   };
+  accuracy.wanted.doubts = point_supports;
   if (!wish.unknowns.empty()) {
     const std::optional<double> most = positive(wish.unknowns);
     require_input(most.has_value(), "--unknowns: expected a number above 0, got ",
@@ -161,9 +163,12 @@ void print_verdict(std::ostream& out, const AccuracyRun& accuracy) {
   if (last.error && *last.error == last.saturation && last.saturation > 0)
     out << "  change: " << by_value(last.saturation, last.value)
         << " (used); what the value changed by from mesh to mesh and no estimate foresaw\n";
+  if (last.error && *last.error == last.to_come && last.to_come > 0)
+    out << "  to come: " << by_value(last.to_come, last.value)
+        << " (used); if answers go on from mesh to mesh as the last two did\n";
   if (last.model_error > 0)
     out << "  misfit: " << by_value(last.model_error, last.value)
-        << "; between fits of the middle of the pressure and of half of that\n";
+        << "; between ellipses fitted to different parts of the pressure\n";
   for (const BudgetLine& line : accuracy.budget)
     out << "  " << line.source << ": "
         << (line.amount ? by_value(*line.amount, last.value) : "not estimated") << "; "
@@ -189,7 +194,8 @@ void write(Json& json, const AccuracyRun& accuracy) {
       json.key("reading").value(round.parts.quadrature_error);
       json.key("free_boundary").value(round.parts.free_boundary);
       json.key("outline").value(round.parts.outline);
-      json.key("overlooked").value(round.saturation).key("misfit").value(round.model_error);
+      json.key("overlooked").value(round.saturation).key("to_come").value(round.to_come);
+      json.key("misfit").value(round.model_error);
       json.key("algebraic").value(round.algebraic);
     }
     json.key("seconds").value(round.seconds).key("estimating").value(round.estimating).end();

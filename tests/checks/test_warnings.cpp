@@ -24,11 +24,11 @@ namespace {
 
 /// Of each note that a sound scene does not have.
 const char* const warnings[] = {
-    "loose pieces",           "coincide with others",   "hang on the side",
-    "zero everywhere",        "no force and no moment", "no node of the boundary faces",
-    "can open or close",      "lie behind the target",  "no pair carries a force",
-    "deformations for small", "forces of single pairs", "straight edges of the target",
-    "has closed a gap of",    "is thick there",         "Where the bodies have moved to",
+    "loose pieces",           "coincide with others",    "hang on the side",
+    "zero everywhere",        "no force and no moment",  "no node of the boundary faces",
+    "can open or close",      "lie behind the target",   "no pair carries a force",
+    "deformations for small", "forces of single pairs",  "straight edges of the target",
+    "has closed a gap of",    "is thick there",          "Where the bodies have moved to",
     "do not balance, by",     "has no share of the side"};
 
 bool has_all(const std::string& line, const std::vector<std::string>& words) {
@@ -296,15 +296,50 @@ TEST_CASE("an error tells every note once, however many tell them", "[warnings]"
 TEST_CASE("a node on the axis that no pair keeps out is told", "[warnings]") {
   const auto notes = [](const std::string& gap_operator, const std::string& quadratic) {
     const std::string mesh = ", size = [4, 2], cells = [4, 2], quadratic = " + quadratic + " }\n";
-    return plan(parse_scene("material = { youngs_modulus = 1000, poisson_ratio = 0.3, state = \"axial symmetry\" }\n"
-                            "[[body]]\nname = \"a\"\nmesh = { kind = \"block\"" + mesh + "fixed = \"bottom\"\n"
-                            "[[body]]\nname = \"b\"\nmesh = { kind = \"block\", corner = [0, 2]" + mesh + "pressure = { top = 1 }\n"
-                            "[[contact]]\nsource = \"b.bottom\"\ntarget = \"a.top\"\noperator = \"" + gap_operator + "\"\n",
-                            "name", ".")
+    return plan(parse_scene(
+                    "material = { youngs_modulus = 1000, poisson_ratio = 0.3, state = \"axial "
+                    "symmetry\" }\n"
+                    "[[body]]\nname = \"a\"\nmesh = { kind = \"block\"" +
+                        mesh +
+                        "fixed = \"bottom\"\n"
+                        "[[body]]\nname = \"b\"\nmesh = { kind = \"block\", corner = [0, 2]" +
+                        mesh +
+                        "pressure = { top = 1 }\n"
+                        "[[contact]]\nsource = \"b.bottom\"\ntarget = \"a.top\"\noperator = \"" +
+                        gap_operator + "\"\n",
+                    "name", ".")
                     .scene)
         .notes;
   };
-  CHECK(tells(notes("node_to_segment", "true"), {"contact of 'bottom' of 'b'", "the node at (0, 2) on the axis", "mortar"}));
+  CHECK(tells(notes("node_to_segment", "true"),
+              {"contact of 'bottom' of 'b'", "the node at (0, 2) on the axis", "mortar"}));
   CHECK_FALSE(tells(notes("node_to_segment", "false"), {"on the axis"}));
   CHECK_FALSE(tells(notes("mortar", "true"), {"on the axis"}));
+}
+
+TEST_CASE("an obstacle that rises between two nodes is told, one that the nodes see is not",
+          "[warnings]") {
+  const auto notes = [](Index cells, const std::string& target) {
+    return plan(parse_scene("[[body]]\nmesh = { kind = \"block\", size = [4, 1], cells = [" +
+                                std::to_string(cells) +
+                                ", 1] }\nmaterial = { youngs_modulus = 1000, poisson_ratio = 0.3 "
+                                "}\nfixed = \"top\"\n[[contact]]\nsource = "
+                                "\"bottom\"\ntarget = " +
+                                target,
+                            "s.toml", ".")
+                    .scene)
+        .notes;
+  };
+  const std::string bump =
+      "{ kind = \"polyline\", points = [[-1, -0.1], [1.35, -0.1], [1.65, -0.08], [1.95, -0.1], [9, "
+      "-0.1]] }";
+  CHECK(tells(notes(6, bump), {"(1.33333, 0)", "(2, 0)", "no node sees that"}));
+  CHECK_FALSE(tells(notes(40, bump), {"no node sees that"}));
+  for (const Index cells : {2, 3, 7})
+    for (const char* seen : {"{ kind = \"disc\", centre = [2.1, -3], radius = 3 }",
+                             "{ kind = \"polyline\", points = [[-1, -3], [2.1, 0], [5, -3]] }",
+                             "{ kind = \"half_plane\", point = [0, 0], normal = [0.1, 1] }"}) {
+      CAPTURE(cells, seen);
+      CHECK_FALSE(tells(notes(cells, seen), {"no node sees that"}));
+    }
 }

@@ -354,6 +354,11 @@ TEST_CASE("a peak that is not Hertz's is not met", "[accuracy]") {
   block.loads.edges = {{"top", 0, [](const Eigen::Vector2d& x) -> Eigen::Vector2d {
                           return {0, -std::exp(-x.x() * x.x())};
                         }}};
+  // Of a floor that is flat, the contact has no middle.
+  CHECK_THAT(problem_message([&] { (void)goal_in_words("peak", plan(scene)); }),
+             ContainsSubstring("no middle") && ContainsSubstring("does not press as Hertz's does"));
+  scene.contacts[0].target =
+      profile([](double x) { return -1e-6 * x * x; }, [](double x) { return -2e-6 * x; });
   const AccurateSolution result = accurate(scene, "peak", 0.005);
   CHECK_FALSE(result.met);
   CHECK_THAT(result.verdict, ContainsSubstring("does not press as Hertz's"));
@@ -362,6 +367,24 @@ TEST_CASE("a peak that is not Hertz's is not met", "[accuracy]") {
   // Hertz's own is, and its misfit vanishes.
   const AccuracyRound hertz = accurate(scene_of(coarse_hertz()), "peak", 0.003).rounds.back();
   CHECK(hertz.model_error < 0.002 * hertz.value);
+}
+
+TEST_CASE("a width that is not Hertz's is not met", "[accuracy]") {
+  // The pressure of a wedge is infinite in the middle, and the moment of its forces is not that of an ellipse.
+  Scene scene = pressed_strip(2);
+  Body& block = scene.bodies[0];
+  block.supports = {prescribed("top", Axis::X, 0), prescribed("top", Axis::Y, -0.05)};
+  block.loads.edges.clear();
+  scene.contacts[0].target = profile([](double x) { return -0.75 * std::abs(x - 2); },
+                                     [](double x) { return x < 2 ? 0.75 : -0.75; });
+  const AccurateSolution result = accurate(scene, "width", 0.02);
+  CHECK_FALSE(result.met);
+  CHECK_THAT(result.verdict, ContainsSubstring("does not press as Hertz's"));
+  const AccuracyRound& last = result.rounds.back();
+  CHECK(last.model_error > 0.2 * last.value);
+  // Hertz's own is, of whole and half models, and its misfit vanishes.
+  const AccuracyRound hertz = accurate(scene_of(coarse_hertz()), "width", 0.003).rounds.back();
+  CHECK(hertz.model_error < 0.001 * hertz.value);
 }
 
 TEST_CASE("triangles that the arc of a curved side would leave are named", "[accuracy]") {

@@ -7,6 +7,7 @@
 
 #include "addons/checks/sides.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/core/wording.hpp"
 #include "signorini/fem/assembly.hpp"
@@ -85,6 +86,67 @@ std::string axis_warning(const std::string& what, const ContactSpec& contact,
               "out of the target. Take mortar between two meshes, and small cells at the axis");
 }
 
+/// A way between two nodes of a source that follow each other.
+struct Way {
+  Index from, to;
+  Eigen::Vector2d start, end;
+  double rise;  ///< of the obstacle above the line through what both nodes see [length]
+};
+
+/// Looks at places between the nodes of the sides of a source.
+std::vector<Way> ways_between(const Surface& source, const Obstacle& obstacle) {
+  constexpr int places = 16;
+  std::vector<Way> ways;
+  for (const SideCurve& side : side_curves(source.mesh, source.boundary)) {
+    const auto count = static_cast<int>(side.nodes().size()) - 1;
+    for (int k = 0; k < count; ++k) {
+      const auto at_xi = [&](double t) -> Eigen::Vector2d {
+        return side.point(2 * (k + t) / count - 1).position();
+      };
+      Way way{side.nodes()[at(k)], side.nodes()[at(k + 1)], at_xi(0), at_xi(1), 0};
+      const double first = obstacle.look(way.start).gap, last = obstacle.look(way.end).gap;
+      for (int i = 1; i < places; ++i) {
+        const double t = static_cast<double>(i) / places;
+        way.rise = std::max(way.rise, (1 - t) * first + t * last - obstacle.look(at_xi(t)).gap);
+      }
+      ways.push_back(way);
+    }
+  }
+  return ways;
+}
+
+/// Of an obstacle that rises between two neighbouring nodes by more than half of what these nodes and the ones beside them tell
+/// apart: a curve or a corner that the nodes see rises by less. Round sources leave their own arcs by as much as they turn.
+std::string unseen_warning(const Obstacle& obstacle, const std::string& what,
+                           const Surface& source) {
+  const std::vector<Way> ways = ways_between(source, obstacle);
+  std::map<Index, std::vector<std::size_t>> around;
+  for (std::size_t k = 0; k < ways.size(); ++k)
+    for (const Index node : {ways[k].from, ways[k].to}) around[node].push_back(k);
+  const Way* most = nullptr;
+  for (const Way& way : ways) {
+    double seen = 0, turn = 0;
+    const Eigen::Vector2d along = way.end - way.start;
+    for (const Index node : {way.from, way.to})
+      for (const std::size_t k : around[node]) {
+        const Way& beside = ways[k];
+        const Eigen::Vector2d other = beside.end - beside.start;
+        seen = std::max(seen,
+                        std::abs(obstacle.look(beside.end).gap - obstacle.look(beside.start).gap));
+        turn = std::max(
+            turn, std::acos(std::clamp(along.normalized().dot(other.normalized()), -1.0, 1.0)));
+      }
+    const double rounding = 64 * epsilon * source.mesh.nodes.cwiseAbs().maxCoeff();
+    const double own = along.norm() * turn / 4 + rounding;  // twice the rise of an arc
+    if (way.rise > seen / 2 + own && (most == nullptr || way.rise > most->rise)) most = &way;
+  }
+  if (most == nullptr) return "";
+  return text(what, ": between the neighbouring nodes at ", in_brackets(most->start), " and ",
+              in_brackets(most->end), " the ", obstacle.name, " rises by ", most->rise,
+              " above the line through what both see, and no node sees that. Make the sides there "
+              "shorter than what rises is wide");
+}
+
 }  // namespace
 
 std::vector<std::string> contact_warnings(const ContactSpec& contact,
@@ -102,6 +164,7 @@ std::vector<std::string> contact_warnings(const ContactSpec& contact,
       obstacle != nullptr
           ? obstacle_warning(*obstacle, what, source, pairs)
           : passage_warning(what, source, surface(bodies, std::get<Side>(contact.target)), pairs));
+  if (obstacle != nullptr) notes.push_back(unseen_warning(*obstacle, what, source));
   notes.push_back(turn_warning(what, source));
   notes.push_back(axis_warning(what, contact, bodies[body_index(bodies, contact.source)]));
   notes.erase(std::remove(notes.begin(), notes.end(), ""), notes.end());

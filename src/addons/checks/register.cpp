@@ -3,6 +3,7 @@
 #include "addons/checks/contact_warnings.hpp"
 #include "addons/checks/fit_warnings.hpp"
 #include "addons/checks/lost_digits.hpp"
+#include "addons/checks/point_supports.hpp"
 #include "addons/checks/shared_words.hpp"
 #include "addons/checks/sliding_verdict.hpp"
 #include "addons/checks/warnings.hpp"
@@ -15,6 +16,7 @@ void register_checks() {
              [](const Model& model, const Solution& solution) {
                return solution_warnings(model, solution);
              }});
+  add_check({"point supports", nullptr, nullptr, nullptr, point_supports});
   add_check({"fits", nullptr, nullptr, sag_warning, closed_gap_warnings});
   add_check({"shared forces", nullptr, nullptr, nullptr, nullptr, note_shared_forces});
   add_check({"lost digits", nullptr, nullptr, nullptr, nullptr, judge_lost_digits});

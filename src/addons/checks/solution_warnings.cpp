@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "addons/checks/point_supports.hpp"
 #include "addons/checks/warnings.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
@@ -78,7 +79,8 @@ std::pair<Most, Most> deformation(const Model& model, const Solution& solution) 
 
 /// Young's modulus as far as its material takes strains for small.
 double small_modulus(const Material& material) {
-  return material.law == nullptr ? material.youngs_modulus : std::numeric_limits<double>::infinity();
+  return material.law == nullptr ? material.youngs_modulus
+                                 : std::numeric_limits<double>::infinity();
 }
 
 /// That of the softest cell around every node of all bodies.
@@ -135,14 +137,18 @@ std::string exceeded(const Model& model, const Solution& solution, const SmallLi
   const bool absurd = strain.value > 1 || pressure > 1;
   if (model.loop)
     return text("strains of bodies without a law are taken for small, but here they are not: ",
-                list.substr(2), ". Give their materials a law of finite strain, as law = \"neo_hooke\"");
-  return text("linear elasticity takes deformations for small, but here they are not: ",
-              list.substr(2), ". ",
-              absurd ? "So much comes of units mostly: compare those of lengths, loads and Young's "
-                       "modulus"
-                     : "The numbers are those of the linear problem, but a body would do something "
-                       "else: give it a law of finite strain (law = \"neo_hooke\", with [[steps]]), "
-                       "take a smaller load, or the numbers for a first guess");
+                list.substr(2),
+                ". Give their materials a law of finite strain, as law = \"neo_hooke\"");
+  const bool at_points = absurd && !point_supports(model, solution).empty();
+  return text(
+      "linear elasticity takes deformations for small, but here they are not: ", list.substr(2),
+      ". ",
+      at_points ? "So much comes of what bears a force without an area, as another note says"
+      : absurd  ? "So much comes of units mostly: compare those of lengths, loads and Young's "
+                  "modulus"
+                : "The numbers are those of the linear problem, but a body would do something "
+                  "else: give it a law of finite strain (law = \"neo_hooke\", with [[steps]]), "
+                  "take a smaller load, or the numbers for a first guess");
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "addons/estimate/limiting_cause.hpp"
 #include "addons/estimate/marking.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/scene/bodies.hpp"
 
@@ -51,6 +52,14 @@ double saturation_since(const AccuracyRound& last, const AccuracyRound& now) {
   const double allowed = last.of_estimate + now.of_estimate;
   const double coarser = static_cast<double>(last.unknowns) / static_cast<double>(now.unknowns);
   return std::max(change - allowed, coarser * last.saturation);
+}
+
+/// What is still to come if answers go on as from the mesh before, see solve_to_accuracy().
+double to_come_since(const AccuracyRound& last, const AccuracyRound& now, bool is_signed) {
+  const double coarser = static_cast<double>(last.unknowns) / static_cast<double>(now.unknowns);
+  const double foreseen = std::max(now.of_estimate / last.of_estimate, least_left);
+  const double left = is_signed || !(foreseen < coarser) ? coarser : foreseen;
+  return left < 1 ? std::abs(now.value - last.value) * left / (1 - left) : 0;
 }
 
 class Loop {
@@ -129,8 +138,11 @@ class Loop {
     const auto last =
         std::find_if(run_.rounds.rbegin(), run_.rounds.rend(),
                      [](const AccuracyRound& other) { return other.error.has_value(); });
-    if (last != run_.rounds.rend()) round.saturation = saturation_since(*last, round);
-    round.error = std::max({round.of_estimate, round.saturation, round.model_error});
+    if (last != run_.rounds.rend()) {
+      round.saturation = saturation_since(*last, round);
+      round.to_come = to_come_since(*last, round, estimated.is_signed);
+    }
+    round.error = std::max({round.of_estimate, round.saturation, round.to_come, round.model_error});
   }
 
   /// Says how it stands.
@@ -142,14 +154,18 @@ class Loop {
       return stop("the problem is not solved on this mesh");
     if (now.error) {
       const double target = wanted_.target * std::abs(now.value);
-      if (target == 0 && nothing_closes() && doubted(doubts_of_none_)) return refine(next);
-      if (target == 0)
+      if (is_nothing(now.value)) {
+        if (nothing_closes() && doubted(doubts_of_none_)) return refine(next);
         return stop(
             text("the value is 0, which no error can be compared with",
                  nothing_closes()
                      ? "; no contact closes, also with all cells halved; if these are still too "
                        "stiff, begin with a finer mesh"
                      : ""));
+      }
+      if (wanted_.doubts)
+        for (const std::string& doubt : wanted_.doubts(run_.model, run_.solution))
+          return stop(doubt);
       if (now.algebraic > target)
         return stop(
             "algebraic: rounding of the equations alone may do so much; a finer mesh makes it "
@@ -169,6 +185,12 @@ class Loop {
           "points, or the meshes are too stiff");
     }
     return refine(next);
+  }
+
+  /// Whether a value is 0, or what rounding leaves of terms that cancel: half of their digits.
+  [[nodiscard]] bool is_nothing(double value) const {
+    return std::abs(value) <=
+           std::sqrt(epsilon) * terms_of(run_.model, run_.solution, wanted_.goal);
   }
 
   /// Marks all edges, unless that was done often enough. \return whether they are marked
@@ -254,9 +276,12 @@ class Loop {
     const double growth =
         static_cast<double>(unknowns) / static_cast<double>(run_.rounds.back().unknowns);
     if (last * std::pow(growth, 3) <= wanted_.most_seconds) return true;
-    const double seconds =
-        last * (wanted_.forecast ? wanted_.forecast(next) / wanted_.forecast(run_.scene)
-                                 : std::pow(growth, 3));
+    double seconds = last * std::pow(growth, 3);
+    if (wanted_.forecast) try {
+        seconds = last * wanted_.forecast(next) / wanted_.forecast(run_.scene);
+      } catch (const std::exception& error) {
+        return stop(text("the next mesh gives no answer: ", error.what()));
+      }
     if (seconds <= wanted_.most_seconds) return true;
     double paid = 0;
     for (const AccuracyRound& round : run_.rounds) paid += round.seconds;

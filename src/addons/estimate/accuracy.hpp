@@ -26,6 +26,8 @@ struct Accuracy {
   std::function<Solution(const Scene& scene, const Model& model, const Condensed& condensed,
                          Ledger ledger)>
       solve = {};
+  /// Says what no finer mesh mends, as point_supports() of the add-on checks; empty: nothing is asked
+  std::function<std::vector<std::string>(const Model& model, const Solution& solution)> doubts = {};
 };
 
 /// What one mesh came to.
@@ -35,14 +37,15 @@ struct AccuracyRound {
       0;  ///< the goal as solved; nothing is read or estimated before contact is resolved
   /// The answer: the same, and what the estimate says is missing; of a peak or a width, whose estimate has no sign, the same
   double value = 0;
-  /// Estimate of the size of the error of `value`: the largest of `of_estimate`, `overlooked` and `model_error`. Nothing if the
-  /// mesh is too coarse for an estimate.
+  /// Estimate of the size of the error of `value`: the largest of `of_estimate`, `saturation`, `to_come` and `model_error`.
+  /// Nothing if the mesh is too coarse for an estimate.
   std::optional<double> error = {};
   ErrorParts parts = {};  ///< of the error of discretisation
   double of_estimate =
       0;  ///< the sum of their sizes; of an estimate without a sign twice its size, which is no less
   /// What the parts leave out, as changes from mesh to mesh have shown it, see solve_to_accuracy(); 0: nothing was seen
   double saturation = 0;
+  double to_come = 0;      ///< if answers go on as from the mesh before, see solve_to_accuracy()
   double model_error = 0;  ///< of the reading, see signorini::model_error()
   double algebraic = 0;    ///< see Estimate
   double seconds = 0;      ///< wall time of the round, the estimate with it [s]
@@ -71,6 +74,17 @@ struct AccurateSolution {
 /// from the mesh before by more than both allow for, it is no less than what is beyond that, and in each later
 /// round no less than what it was for that before by the growth of the unknowns; nor is it less than the model error.
 ///
+/// Parts that cancel make an estimate small on a mesh that is not fine enough. What answers do from mesh to mesh does not know
+/// of that: if the error falls to its part r from one mesh to the next, and they change from v_0 to v_1,
+///
+/// \f[ |J - v_1| = \frac{r}{1 - r} |v_1 - v_0|, \qquad r = N_0 / N_1 \f]
+///
+/// is still to come, and the error of the answer is no less. For unknowns that grow from N_0 to N_1, r is that of linear shapes
+/// where nothing is singular, or cells are small where something is; quadratic ones, whose errors fall faster, lose little
+/// by it, because what is compared are answers, of which most of the error is gone. Of a goal without a sign nothing is: its
+/// answers change by the errors themselves. There r is how the estimates fall, if that is less, but not less than the
+/// eighth that a round aims at.
+///
 /// Meshes too coarse for an estimate, see marks_where_coarse(), are refined before anything is estimated. From then
 /// on each cell's share of the error falls to the chords that cross it, see chords(): halving a chord leaves a quarter
 /// of its share, for as many new nodes as it has edges. The cheapest ones are halved, some more than once, until a
@@ -78,6 +92,9 @@ struct AccurateSolution {
 /// many again if only the estimate is too large on a mesh that would confirm. What
 /// goals and gaps overlook between nodes falls to the sides of the source that are closed, the free boundary to those where
 /// contact ends, and what a curved outline leaves to its sides.
+///
+/// A value that is nothing beside what it is a sum of, see terms_of(), is 0, and no error can be compared with it. What
+/// Accuracy::doubts says of the first mesh that resolves contact ends it.
 ///
 /// Where no contact closes, or refinement closes no more pairs of one that it does not resolve, all cells are halved,
 /// twice at most for either, before that is the verdict: coarse meshes are too stiff.

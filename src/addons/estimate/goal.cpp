@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "addons/estimate/contact_edges.hpp"
 #include "addons/estimate/profile.hpp"
 #include "closed_form/hertz_fit.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/core/wording.hpp"
 #include "signorini/fem/assembly.hpp"
@@ -118,6 +120,29 @@ auto readable(const Goal& goal, Read&& read) {
   }
 }
 
+/// The force of an ellipse of pressure on the line of a contact, which a half-model ends in the middle [force].
+double force_of(const HertzFit& ellipse, const Model& model, const Profile& read) {
+  const double b = ellipse.half_width;
+  if (read.line.footprint == Footprint::Circle) return 2 * pi / 3 * ellipse.peak_pressure * b * b;
+  const auto area_to = [&](double x) {
+    const double part = std::clamp(x / b, -1.0, 1.0);
+    return b / 2 * (part * std::sqrt(1 - part * part) + std::asin(part));
+  };
+  const std::vector<double>& x = read.line.x;
+  const auto nearest = std::min_element(
+      x.begin(), x.end(), [](double a, double c) { return std::abs(a) < std::abs(c); });
+  const Index pair = read.line.pair[at(nearest - x.begin())];
+  const double depth = depth_of(source_of(model, pair).material).at(model.pairs.position(pair, 0));
+  return ellipse.peak_pressure * depth * (area_to(x.back()) - area_to(x.front()));
+}
+
+/// How far the half-width by the moment of the forces is from that of an ellipse of the fitted peak that bears their sum.
+double misfit_of_width(const Model& model, const Profile& read, double half_width) {
+  const double borne = std::accumulate(read.force.begin(), read.force.end(), 0.0);
+  const double part = borne / force_of({peak_of(read), half_width}, model, read) - 1;
+  return half_width * std::abs(part) / (read.line.footprint == Footprint::Circle ? 2 : 1);
+}
+
 void require_numbers(const Solution& solution, const Goal& goal) {
   require_input(solution.contact.report.status == SolveStatus::Solved, "goal '", goal.name,
                 "': the problem is not solved: ", to_string(solution.contact.report.status));
@@ -186,6 +211,22 @@ double value(const Model& model, const Solution& solution, const Goal& goal) {
     require_closed_to(read, half_width, goal);
     return half_width;
   });
+}
+
+double terms_of(const Model& model, const Solution& solution, const Goal& goal) {
+  double sum = 0;
+  if (const auto* moved = std::get_if<Displacement>(&goal.quantity)) {
+    const NodeSum of = nodes_of(model, *moved, goal.name);
+    for (std::size_t k = 0; k < of.nodes.size(); ++k)
+      sum += std::abs(of.share(static_cast<Index>(k))) *
+             solution.displacements[of.body].row(of.nodes[k]).norm();
+    return sum;
+  }
+  const auto* force = std::get_if<NormalForce>(&goal.quantity);
+  if (force == nullptr) return std::abs(value(model, solution, goal));
+  for (const Index pair : pairs_of(model, force->contact))
+    sum += std::abs(share_at(*force, model, pair) * solution.contact.force(pair));
+  return sum;
 }
 
 GoalGradient gradient(const Model& model, const Solution& solution, const Goal& goal) {
@@ -257,6 +298,15 @@ double quadrature_error(const Model& model, const Solution& solution, const Goal
 
 double model_error(const Model& model, const Solution& solution, const Goal& goal) {
   require_numbers(solution, goal);
+  if (const auto* width = std::get_if<HalfWidth>(&goal.quantity)) {
+    const double all = value(model, solution, goal);
+    try {
+      const Profile read = profile(model, solution, width->contact, width->middle);
+      return std::min(all, misfit_of_width(model, read, all));
+    } catch (const std::invalid_argument&) {
+      return all;
+    }
+  }
   const auto* peak = std::get_if<PeakPressure>(&goal.quantity);
   if (peak == nullptr) return 0;
   const Profile read = profile(model, solution, peak->contact, peak->middle);

@@ -64,6 +64,15 @@ struct Goal {
 ///   peak is asked for where the pairs have no nodes, or too few of them press; if the resultant of a contact is nothing beside its forces
 [[nodiscard]] double value(const Model& model, const Solution& solution, const Goal& goal);
 
+/// How large the terms are that a goal is the sum of: of the mean of a displacement the lengths of all displacements there,
+/// of a NormalForce the forces of its pairs. Where they cancel, a value much smaller is rounding.
+/// \param model     from build()
+/// \param solution  of it
+/// \param goal      any
+/// \return the sum of their sizes, as the value; of others the size of the value
+/// \throws ProblemError as value()
+[[nodiscard]] double terms_of(const Model& model, const Solution& solution, const Goal& goal);
+
 /// How a goal changes with the solution: \f$ dJ = j^T du + w^T d\lambda \f$.
 struct GoalGradient {
   Eigen::VectorXd displacement;  ///< j `n`, of the unknowns; empty if it depends on forces only
@@ -89,8 +98,9 @@ struct GoalGradient {
                                       const Goal& goal);
 
 /// What a reading may be wrong by because pressure is not what it takes it for: of a PeakPressure, how far the peak of half
-/// of the middle that is fitted is from that of all of it; the whole peak if that half cannot be fitted. Of Hertz's
-/// contact it vanishes as the mesh is refined.
+/// of the middle that is fitted is from that of all of it; the whole peak if that half cannot be fitted. Of a HalfWidth, how
+/// far it is from that of an ellipse with the fitted peak which bears the same force; the whole width if no peak can be
+/// fitted. Of Hertz's contact it vanishes as the mesh is refined.
 /// \param model     from build()
 /// \param solution  of it
 /// \param goal      any

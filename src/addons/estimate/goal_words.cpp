@@ -5,6 +5,7 @@
 
 #include "signorini/core/errors.hpp"
 #include "signorini/core/index.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/core/wording.hpp"
 #include "signorini/fem/assembly.hpp"
 #include "signorini/fem/joints.hpp"
@@ -45,6 +46,23 @@ Vector2d middle_of(const Plan& plan, const std::string& contact) {
       if (on_axis(end)) return {0, body.mesh.nodes(end, 1)};
   }
   return place;
+}
+
+/// Hertz's contact begins at one place, or between two nodes. One that begins along a line has no middle.
+void require_middle(const Plan& plan, const std::string& contact, const std::string& word) {
+  const Pairs& pairs = plan.gaps.pairs;
+  std::vector<double> gaps;
+  for (Index pair = 0; pair < pairs.initial_gap.size(); ++pair)
+    if (contact.empty() || plan.contacts[plan.contact_of[at(pair)]] == contact)
+      gaps.push_back(pairs.initial_gap(pair));
+  if (gaps.empty()) return;
+  const double least = *std::min_element(gaps.begin(), gaps.end());
+  const double rounding = 64 * epsilon * pairs.position.cwiseAbs().maxCoeff();
+  const auto alike =
+      std::count_if(gaps.begin(), gaps.end(), [&](double gap) { return gap - least <= rounding; });
+  require_input(alike <= 2, "goal ", in_quotes(word), ": the sides are equally close at ", alike,
+                " nodes before loading, so that their contact has no middle: it does not press as "
+                "Hertz's does; ask for its force or for a displacement");
 }
 
 /// The contact that a goal is about: if it is named, or the only one.
@@ -132,6 +150,7 @@ Goal goal_in_words(const std::string& word, const Plan& plan) {
   const std::string contact = contact_in_words(word, name, plan);
   if (kind == "force") return {word, ContactForce{contact}};
   if (kind == "normal_force") return {word, NormalForce{contact, {}}};
+  require_middle(plan, contact, word);
   const Vector2d middle = middle_of(plan, contact);
   if (kind == "peak") return {word, PeakPressure{contact, middle}};
   return {word, HalfWidth{contact, middle}};

@@ -45,14 +45,17 @@ std::string held_end(const AccurateSolution& run) {
 std::string limiting_cause(const AccurateSolution& run) {
   const AccuracyRound& last = run.rounds.back();
   if (!last.error) return "the mesh is too coarse for an estimate";
-  if (last.saturation > 0 && *last.error == last.saturation) {
+  const bool unforeseen = last.saturation > 0 && *last.error == last.saturation;
+  if (unforeseen || (last.to_come > 0 && *last.error == last.to_come)) {
     const std::string end = held_end(run);
-    return "changes from mesh to mesh that no estimate foresaw are most of the error" +
+    return (unforeseen
+                ? "changes from mesh to mesh that no estimate foresaw are most of the error"
+                : "answers still change from mesh to mesh by more than their estimates say") +
            (end.empty() ? end : "; " + end);
   }
   if (last.model_error > 0 && *last.error == last.model_error)
-    return "the reading is most of the error: fits of the middle of the pressure and of half of "
-           "that differ, so it does not press as Hertz's contact does; ask for its force or for a "
+    return "the reading is most of the error: ellipses fitted to different parts of the pressure "
+           "differ, so it does not press as Hertz's contact does; ask for its force or for a "
            "displacement";
   const ErrorParts& parts = last.parts;
   const double outline = std::abs(parts.outline);

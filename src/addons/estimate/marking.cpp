@@ -110,33 +110,66 @@ void add_outline(const std::vector<MarkedEdges>& marks, const Estimate& estimate
       shares[b][at(marks[b].edges.at(side.side))] += scale * std::abs(side.amount);
 }
 
-/// Marks what is one cell thick, see marks_where_coarse(). \return whether there is such a place
-bool mark_thin(const Mesh& mesh, MarkedEdges& marks) {
-  const std::vector<std::array<CellSide, 2>>& sides = marks.edges.sides;
-  std::vector<char> outside(at(mesh.n_nodes()), 0);
-  for (const std::array<CellSide, 2>& edge : sides)
-    if (edge[1].cell < 0)
-      for (const Index node : mesh.side_nodes(edge[0])) outside[at(node)] = 1;
-  const auto any_corner = [&](Index cell, auto&& holds) {
-    for (int k = 0; k < mesh.corners(cell); ++k)
-      if (holds(mesh.cells(cell, k))) return true;
+/// What lies beside the sides of the cells of a body.
+struct Neighbours {
+  const BodyModel& body;
+  const MarkedEdges& marks;
+
+  /// Whether a cell of the same material, whose stress is recovered with it, lies beyond a side.
+  [[nodiscard]] bool inside(const std::array<CellSide, 2>& edge) const {
+    const MaterialField& material = body.material;
+    return edge[1].cell >= 0 && material.number(edge[0].cell) == material.number(edge[1].cell);
+  }
+  [[nodiscard]] bool inside(const CellSide& side) const {
+    return inside(marks.edges.sides[at(marks.edges.at(side))]);
+  }
+  /// Whether any corner of a cell is marked.
+  [[nodiscard]] bool any_corner(Index cell, const std::vector<char>& marked) const {
+    for (int k = 0; k < body.mesh.corners(cell); ++k)
+      if (marked[at(body.mesh.cells(cell, k))] != 0) return true;
     return false;
-  };
-  std::vector<char> reached(at(mesh.n_nodes()), 0);  // corners of cells that have one inside
-  for (Index cell = 0; cell < mesh.n_cells(); ++cell)
-    if (any_corner(cell, [&](Index node) { return outside[at(node)] == 0; }))
-      for (int k = 0; k < mesh.corners(cell); ++k) reached[at(mesh.cells(cell, k))] = 1;
-  bool any = false;
-  for (Index cell = 0; cell < mesh.n_cells(); ++cell) {
-    if (any_corner(cell, [&](Index node) { return reached[at(node)] != 0; })) continue;
-    any = true;
-    const auto inside = [&](int side) {
-      return sides[at(marks.edges.at({cell, side}))][1].cell >= 0;
+  }
+};
+
+/// The cells of one material that have a corner inside it, or share one with such a cell.
+std::vector<char> resolved_cells(const Neighbours& beside) {
+  const Mesh& mesh = beside.body.mesh;
+  const MaterialField& material = beside.body.material;
+  std::vector<char> within(at(mesh.n_nodes()), 1);
+  for (const std::array<CellSide, 2>& edge : beside.marks.edges.sides)
+    if (!beside.inside(edge))
+      for (const Index node : mesh.side_nodes(edge[0])) within[at(node)] = 0;
+  std::vector<char> resolved(at(mesh.n_cells()), 0);
+  for (std::size_t number = 0; number <= material.others.size(); ++number) {
+    std::vector<char> reached(at(mesh.n_nodes()), 0);  // corners of cells that have one inside
+    const auto each = [&](auto&& visit) {
+      for (Index cell = 0; cell < mesh.n_cells(); ++cell)
+        if (material.number(cell) == number) visit(cell);
     };
+    each([&](Index cell) {
+      if (beside.any_corner(cell, within))
+        for (int k = 0; k < mesh.corners(cell); ++k) reached[at(mesh.cells(cell, k))] = 1;
+    });
+    each([&](Index cell) { resolved[at(cell)] = beside.any_corner(cell, reached) ? 1 : 0; });
+  }
+  return resolved;
+}
+
+/// Marks what is one cell thick, see marks_where_coarse(). \return whether there is such a place
+bool mark_thin(const BodyModel& body, MarkedEdges& marks) {
+  const Neighbours beside{body, marks};
+  const std::vector<char> resolved = resolved_cells(beside);
+  bool any = false;
+  for (Index cell = 0; cell < body.mesh.n_cells(); ++cell) {
+    if (resolved[at(cell)] != 0) continue;
+    any = true;
+    const int corners = body.mesh.corners(cell);
     bool alone = true;
-    for (int side = 0; side < mesh.corners(cell); ++side) alone = alone && !inside(side);
-    for (int side = 0; side < mesh.corners(cell); ++side)
-      if (alone || inside(side)) marks.halved[at(marks.edges.at({cell, side}))] = 1;
+    for (int side = 0; side < corners; ++side)
+      alone = alone && !beside.inside(CellSide{cell, side});
+    for (int side = 0; side < corners; ++side)
+      if (alone || beside.inside(CellSide{cell, side}))
+        marks.halved[at(marks.edges.at({cell, side}))] = 1;
   }
   return any;
 }
@@ -227,8 +260,7 @@ std::vector<MarkedEdges> marks_where_coarse(const Model& model, const Solution& 
                                             std::size_t few) {
   std::vector<MarkedEdges> marks = unmarked(model);
   bool any = false;
-  for (std::size_t b = 0; b < marks.size(); ++b)
-    any = mark_thin(model.bodies[b].mesh, marks[b]) || any;
+  for (std::size_t b = 0; b < marks.size(); ++b) any = mark_thin(model.bodies[b], marks[b]) || any;
   std::vector<std::size_t> count(model.contacts.size(), 0);
   for (const Index pair : solution.contact.active) ++count[model.contact_of[at(pair)]];
   const std::vector<char> closed = closed_pairs(model, solution);

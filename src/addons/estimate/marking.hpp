@@ -32,8 +32,8 @@ namespace signorini {
 /// In contacts of too few closed pairs, the sides with a closed pair, as often as would close enough, if all
 /// pairs have nodes: Gauss points are refused by estimates(). Between n closed pairs there are n - 1 sides, so that halving
 /// these surely closes 2 n - 1; of one pair it may close a second. And
-/// what is one cell thick: cells whose corners belong to no cell with a corner inside the body. There no polynomial is
-/// fitted, see recovered(), and stresses recovered by means know nothing across: edges inside are halved, or
+/// what is one cell thick: cells whose corners belong to no cell with a corner inside the body, or inside what is of one
+/// material. There no polynomial is fitted, see recovered(), and stresses recovered by means know nothing across: edges inside are halved, or
 /// all of a cell that has none.
 /// \param model     that was solved
 /// \param solution  of it
