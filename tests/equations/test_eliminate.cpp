@@ -1,5 +1,6 @@
 // Equations solved for unknowns, by hand.
 #include "addons/equations/eliminate.hpp"
+#include "signorini/core/random.hpp"
 #include "catch_compat.hpp"
 
 using namespace signorini;
@@ -80,4 +81,26 @@ TEST_CASE("rows that contradict by rounding alone repeat others", "[eliminate]")
   right(2) += 1e-9;
   CHECK(eliminated(rows, right).contradicting == Numbers{2});
   CHECK(eliminated(rows, right, 1e-9).repeated == Numbers{2});
+}
+
+// A chain of rows, each with the next two unknowns, and a sum of some of them that is wrong: factors grow along the chain.
+TEST_CASE("a row that contradicts a long chain of others is found", "[eliminate]") {
+  const Index count = GENERATE(10, 30, 50, 100);
+  CAPTURE(count);
+  MatrixXd rows = MatrixXd::Zero(count + 1, count + 2);
+  VectorXd right(count + 1);
+  signorini::Random random(7);
+  for (Index k = 0; k < count; ++k) {
+    rows(k, k) = 1;
+    rows(k, k + 1) = random.uniform(-1, 1);
+    rows(k, k + 2) = random.uniform(-1, 1);
+    right(k) = random.uniform(-1, 1);
+  }
+  VectorXd factor(count);
+  for (double& one : factor) one = random.uniform(-1, 1);
+  rows.row(count) = factor.transpose() * rows.topRows(count);
+  right(count) = factor.dot(right.head(count));
+  CHECK(eliminated(rows, right).repeated == Numbers{count});
+  right(count) += 1e-6;
+  CHECK(eliminated(rows, right).contradicting == Numbers{count});
 }

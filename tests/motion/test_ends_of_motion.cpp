@@ -1,4 +1,4 @@
-// Bodies that move, where little is left: no load, no unknown, no pair, a vertex, a full turn of a shaft.
+// Bodies that move, where little is left: no load, no unknown, no pair, a vertex, a turn of a shaft.
 #include <cmath>
 #include <string>
 #include <vector>
@@ -128,6 +128,15 @@ TEST_CASE("a body that nothing holds is not said to be unstable", "[motion][erro
   CHECK_THAT(all.end.reason, !ContainsSubstring("stability"));
 }
 
+TEST_CASE("a body that is pressed until a cell inverts is told so, and not that nothing presses", "[motion][errors]") {
+  const Walked all = walked("moves = true\nhalvings = 0\n" +
+                            block("block", "size = [1.5, 1], cells = [3, 2]", ", law = \"st_venant_kirchhoff\"") +
+                            "symmetric = \"left\"\npressure = { top = { value = 5000, history = \"press\" } }\n" + ground +
+                            "[[steps]]\nvalues = { press = 1 }\n");
+  CHECK(all.end.status != SolveStatus::Solved);
+  CHECK_THAT(all.end.reason, !ContainsSubstring("Turn the load round"));
+}
+
 TEST_CASE("forces and moments of a tie that has moved are those of its supports", "[motion][ties]") {
   const std::string cells = GENERATE(as<std::string>(), "[1, 2]", "[3, 2]", "[4, 2]");
   CAPTURE(cells);
@@ -185,6 +194,7 @@ TEST_CASE("a pad over the tip of a wedge is the mirror of itself", "[motion][sym
   const Walked right = over_a_tip(0.02, cells), left = over_a_tip(-0.02, cells);
   REQUIRE(right.end.status == SolveStatus::Solved);
   REQUIRE(left.end.status == SolveStatus::Solved);
+  REQUIRE(dragged(right) != 0);
   CHECK(dragged(right) == Approx(-dragged(left)).epsilon(1e-11));
   CHECK(right.last.state.dissipation.sum() == Approx(left.last.state.dissipation.sum()).epsilon(1e-10).margin(1e-15));
   const VectorXd& one = right.last.state.slip;

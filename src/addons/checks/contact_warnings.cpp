@@ -105,10 +105,11 @@ std::vector<Way> ways_between(const Surface& source, const Obstacle& obstacle) {
       };
       Way way{side.nodes()[at(k)], side.nodes()[at(k + 1)], at_xi(0), at_xi(1), 0};
       const double first = obstacle.look(way.start).gap, last = obstacle.look(way.end).gap;
-      for (int i = 1; i < places; ++i) {
-        const double t = static_cast<double>(i) / places;
-        way.rise = std::max(way.rise, (1 - t) * first + t * last - obstacle.look(at_xi(t)).gap);
-      }
+      for (int i = 1; i < places; ++i) try {
+          const double t = static_cast<double>(i) / places;
+          way.rise = std::max(way.rise, (1 - t) * first + t * last - obstacle.look(at_xi(t)).gap);
+        } catch (const ProblemError&) {  // nothing can be seen there, as in the centre of a disc
+        }
       ways.push_back(way);
     }
   }
@@ -119,6 +120,7 @@ std::vector<Way> ways_between(const Surface& source, const Obstacle& obstacle) {
 /// apart: a curve or a corner that the nodes see rises by less. Round sources leave their own arcs by as much as they turn.
 std::string unseen_warning(const Obstacle& obstacle, const std::string& what,
                            const Surface& source) {
+  if (obstacle.linear) return "";
   const std::vector<Way> ways = ways_between(source, obstacle);
   std::map<Index, std::vector<std::size_t>> around;
   for (std::size_t k = 0; k < ways.size(); ++k)

@@ -66,9 +66,8 @@ std::pair<Most, Most> deformation(const Model& model, const Solution& solution) 
       const Eigen::Matrix2d G = mean_gradient(body.mesh, solution.displacements[b], cell);
       const double half = (G(0, 0) - G(1, 1)) / 2;
       const double shear = (G(0, 1) + G(1, 0)) / 2;
-      const double plain = std::sqrt(half * half + shear * shear);
-      const double circle = std::isfinite(plain) ? plain : std::hypot(half, shear);
-      strain.see(std::abs(G(0, 0) + G(1, 1)) / 2 + circle, body, cell);
+      strain.see(std::abs(G(0, 0) + G(1, 1)) / 2 + std::sqrt(half * half + shear * shear), body,
+                 cell);
       rotation.see(std::abs(G(1, 0) - G(0, 1)) / 2, body, cell);
       if (is_axial(body))
         strain.see(std::abs(hoop_strain(body.mesh, solution.displacements[b], cell)), body, cell);

@@ -31,17 +31,6 @@ void add(double factor, const Sum& from, Sum& to) {
   for (const auto& [place, value] : from) to[place] += factor * value;
 }
 
-/// The terms of a right side, and the magnitudes that were added up for each: where they cancel, these say what rounding left.
-struct Right {
-  Sum terms;
-  Sum sizes;
-
-  void add_to(double factor, Right& into) const {
-    add(factor, terms, into.terms);
-    add(std::abs(factor), sizes, into.sizes);
-  }
-};
-
 double largest_of(const Sum& sum) {
   double most = 0;
   for (const auto& entry : sum) most = std::max(most, std::abs(entry.second));
@@ -58,7 +47,7 @@ void drop(double least, Sum& sum) {
 struct Row {
   Index unknown = -1;
   Sum terms;
-  Right right;
+  Sum right;
 };
 
 class Elimination {
@@ -75,7 +64,7 @@ class Elimination {
       row.terms.erase(unknown);
       for (const auto& term : known.terms) most = std::max(most, std::abs(value * term.second));
       add(value, known.terms, row.terms);
-      known.right.add_to(-value, row.right);
+      add(-value, known.right, row.right);
     }
     return most;
   }
@@ -85,8 +74,7 @@ class Elimination {
     const double pivot = row.terms.at(unknown);
     row.terms.erase(unknown);
     for (auto& term : row.terms) term.second /= -pivot;
-    for (auto& term : row.right.terms) term.second /= pivot;
-    for (auto& term : row.right.sizes) term.second /= std::abs(pivot);
+    for (auto& term : row.right) term.second /= pivot;
     drop(faint * largest_of(row.terms), row.terms);
     row.unknown = unknown;
     const Index number = static_cast<Index>(rows.size());
@@ -107,7 +95,7 @@ class Elimination {
     const double factor = found->second;
     into.terms.erase(found);
     add(factor, solved.terms, into.terms);
-    solved.right.add_to(factor, into.right);
+    add(factor, solved.right, into.right);
     drop(faint * largest_of(into.terms), into.terms);
     for (const auto& term : solved.terms) users_[term.first].insert(number);
   }
@@ -126,11 +114,10 @@ Index pivot_of(const Sum& terms, Index own) {
   return best;
 }
 
-template <typename Part>
-NodalRows matrix(const std::vector<Row>& rows, Part&& part, Index columns) {
+NodalRows matrix(const std::vector<Row>& rows, Sum Row::*part, Index columns) {
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t k = 0; k < rows.size(); ++k)
-    for (const auto& [column, value] : part(rows[k]))
+    for (const auto& [column, value] : rows[k].*part)
       entries.emplace_back(static_cast<int>(k), static_cast<int>(column), value);
   NodalRows all(static_cast<Index>(rows.size()), columns);
   all.setFromTriplets(entries.begin(), entries.end());
@@ -156,7 +143,7 @@ Eliminated eliminate(const NodalRows& rows, const VectorXd& right, const VectorX
   Eliminated all;
   for (const Index k : which) {
     Row row;
-    row.right = {{{k, 1}}, {{k, 1}}};
+    row.right[k] = 1;
     for (NodalRows::InnerIterator entry(rows, k); entry; ++entry)
       if (entry.value() != 0) row.terms[entry.col()] = entry.value();
     const double most = solved.reduce(row);
@@ -167,16 +154,19 @@ Eliminated eliminate(const NodalRows& rows, const VectorXd& right, const VectorX
     }
     double left = 0;
     double allowed = 0;
-    for (const auto& [from, factor] : row.right.terms) left += factor * right(from);
-    for (const auto& [from, size] : row.right.sizes)
-      allowed += size * (rounding(from) + nothing * std::abs(right(from)));
+    // Factors that cancel leave a rounding of the largest, a little more with every row.
+    const double noise =
+        cancelled * static_cast<double>(solved.rows.size() + 1) * largest_of(row.right);
+    for (const auto& [from, factor] : row.right) {
+      left += factor * right(from);
+      allowed += std::abs(factor) * (rounding(from) + nothing * std::abs(right(from))) +
+                 noise * std::abs(right(from));
+    }
     (std::abs(left) <= allowed ? all.repeated : all.contradicting).push_back(k);
   }
   for (const Row& row : solved.rows) all.unknown.push_back(row.unknown);
-  const auto terms = [](const Row& row) -> const Sum& { return row.terms; };
-  const auto rights = [](const Row& row) -> const Sum& { return row.right.terms; };
-  all.by = matrix(solved.rows, terms, rows.cols());
-  all.right = matrix(solved.rows, rights, rows.rows());
+  all.by = matrix(solved.rows, &Row::terms, rows.cols());
+  all.right = matrix(solved.rows, &Row::right, rows.rows());
   return all;
 }
 

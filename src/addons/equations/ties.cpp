@@ -83,7 +83,9 @@ std::string fit(const Tie& tie, Bond& bond) {
   if (apart <= rounding) return "";
   bond.apart = closes ? 0 : apart;
   return text(", gaps and overlaps of up to ", apart,
-              closes ? " closed" : " stay, and a force along the sides lacks its moment across them");
+              closes ? " closed"
+                     : " stay, and a force along the sides lacks its moment across them: closes = "
+                       "true has neither");
 }
 
 /// Nodes that no row holds: the side is longer than what it faces.

@@ -73,7 +73,7 @@ class Reader {
     return (of_part ? part_ : "Assembly") + "." + name;
   }
 
-  /// The key of a set of this name, first of one where the file is now.
+  /// The key of a set of this name: of the part, or assembly, that the file is in, if that has one; else of any.
   [[nodiscard]] std::string key_of(const InpSets& sets, const std::string& name) const {
     std::string own = inp_key(in_part_ ? part_ : "Assembly") + "." + inp_key(name);
     return sets.count(own) != 0 ? own : inp_key(name);
@@ -107,7 +107,9 @@ class Reader {
         for (auto& named : *all)
           for (InpEntry& entry : named.second.entries)
             if (entry.set == key) entry.set = moved.key();
-    sets.insert(std::move(moved));
+    const std::string taken = set.name;
+    if (!sets.insert(std::move(moved)).inserted)
+      in_.fail(text("a name of its own: another set is called '", taken, "' already"), taken);
   }
 
   void note_two(const InpSets& sets, const InpSet& other, const std::string& name) {

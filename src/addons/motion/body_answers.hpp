@@ -13,7 +13,7 @@ namespace signorini {
 
 /// What rounding may have done to displacements: a cell that has turned strains by what little its terms leave, and what is closed
 /// stands at the sum of a place in the mesh and a displacement.
-/// \param within  the largest displacement beside that of a node [length]
+/// \param within  the largest displacement less that of the first node of its cell, 0 if places alone count [length]
 /// \param whole   the largest place, in two doubles [length] \return [length]
 [[nodiscard]] double rounding_of_places(double within, double whole);
 

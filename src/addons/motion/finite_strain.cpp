@@ -55,7 +55,7 @@ void release_across(HyperelasticLaw law, const Cell& cell, const Lame& lame, Com
     if (!(response.tangent(4, 4) > 0)) break;
     const double change = std::max(-response.piola(4) / response.tangent(4, 4), -0.5 * (1 + H(4)));
     H(4) += change;
-    if (std::abs(change) > epsilon * std::max(1 + H(4), std::abs(H(4)))) continue;
+    if (!(std::abs(change) <= epsilon * std::max(1 + H(4), std::abs(H(4))))) continue;
     const Components coupled = response.tangent.col(4);
     response.piola += change * coupled;  // what is nothing beside 1 is all of a small strain
     response.tangent -= coupled * coupled.transpose() / coupled(4);

@@ -27,8 +27,8 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// How far the unknowns have moved, less the mean of their body: a body that is carried far is no better measured by that. No
-/// less than a way whose certificate_tolerance is the rounding of places: bodies that only touch, and bear nothing, leave no more.
+/// How far the unknowns have moved, less the mean of their body: a body that is carried far is no better measured by that. At
+/// least so much that certificate_tolerance of it is the rounding of places: bodies that only touch, and bear nothing, leave no more.
 VectorXd moved_within(const Model& model, const Displaced& at) {
   NodeArray moved = at.high;
   for (const BodyModel& body : model.bodies) {

@@ -79,13 +79,15 @@ NodeArray moved_since(const Scene& scene, const Displaced& before, const Displac
   return moved.rounded + (moved.rest - rest);
 }
 
-/// How far a node has slid along an obstacle that stands still, if it has moved by `way` and the tangents there and where it came
-/// from are known. The angle between these is that of an arc, whose chord is the way: from \f$ \theta \f$ to 0 on a circle of radius R
-/// it is \f$ R\theta \f$, where the way along the last tangent is \f$ R\sin\theta \f$. A surface that turns back has no such arc.
+/// How far a node has slid along an obstacle that stands still. The angle between the tangents where it came from and where it is is
+/// that of an arc, whose chord is the way: from \f$ \theta \f$ to 0 on a circle of radius R it is \f$ R\theta \f$, where the way along
+/// the last tangent is \f$ R\sin\theta \f$. Across a corner it is short by \f$ (\theta/2)/\tan(\theta/2) \f$. Turned by nearly 180 degrees
+/// there is no arc, and the way along the last tangent is taken.
+/// \param from, to  unit tangents [-] \param way  of the node [length] \return slip [length], > 0 along the tangents
 double along_arc(const Eigen::Vector2d& from, const Eigen::Vector2d& to, const Eigen::Vector2d& way) {
   const Eigen::Vector2d middle = from + to;
   const double half = std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to)) / 2;
-  if (half == 0 || middle.norm() < std::abs(std::sin(half))) return to.dot(way);
+  if (half == 0 || middle.norm() < 0.1) return to.dot(way);
   return middle.normalized().dot(way) * half / std::sin(half);
 }
 

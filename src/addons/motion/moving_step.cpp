@@ -75,7 +75,7 @@ TurnedForces Moving::turned_forces() const {
   };
 }
 
-/// With the factor of the scene as long as that is the one of K, which it stays if no unknown is left to supports.
+/// With the factor of the scene as long as that is the one of K, and of a scene whose supports leave no unknown.
 Solution Moving::linear_problem() {
   const bool rest = place.at_rest();
   const TurnedForces turned = turned_forces();
@@ -174,7 +174,10 @@ bool Moving::ends(Solution& solution) {
     if (solution.contact.report.status != SolveStatus::Solved) return false;
     const bool gone = goes_to(solution);
     if (gone && holds_here(solution, names, rubbing)) return true;
-    if (!gone) break;
+    if (!gone) {
+      held = held_rows(all_statuses(solution.contact), model.law);
+      break;
+    }
     hand_on(names, all_statuses(solution.contact));
   }
   solution.contact.report.status = SolveStatus::IterationLimit;

@@ -151,6 +151,7 @@ struct Walk {
   Ledger ledger;
   const StepObserver& observe;
   PathEnd end;
+  Index begun = end.state.steps;  // steps that were done before this walk
   double before = 0;  // the given times around the step
   double target = 0;
   double held = std::numeric_limits<double>::infinity();  // how far statics lets the path go
@@ -161,13 +162,13 @@ struct Walk {
   bool reaches(double time);
 };
 
-/// A step of this path. What the first one refuses is an input that is wrong. Where bodies move, what a later one cannot do is a step
+/// A step of this path. What its first one refuses is an input that is wrong. Where bodies move, what a later one cannot do is a step
 /// that is not solved, and all before it stays.
 Step Walk::taken(double time) {
   try {
     return step(end.state, time, model, path, std::exchange(ledger, {}));
   } catch (const ProblemError& error) {
-    if (end.state.steps == 0 || !model.loop) throw;
+    if (end.state.steps == begun || !model.loop) throw;
     Step none;
     none.state = end.state;
     none.solution.contact.report.status = SolveStatus::Breakdown;

@@ -73,7 +73,7 @@ Vector2d way_of(const PairPoint& point, const SideCurve& target,
   return way;
 }
 
-/// Along a side of the target, in the same two readings.
+/// Along a side of the target, by places of nodes or by what they have moved.
 Vector2d along(const SideCurve& side, double xi, const Eigen::Ref<const NodeArray>& of_target) {
   const SideShape there = side.shape(xi);
   Vector2d along(0, 0);
@@ -83,8 +83,8 @@ Vector2d along(const SideCurve& side, double xi, const Eigen::Ref<const NodeArra
   return along;
 }
 
-/// By how much less than a vector is what it was before the target turned to where it is: \f$ t - t_0 \f$. A vertex turns as the
-/// mean of its two sides.
+/// \f$ t - t_0 \f$: a tangent of the target now, less what it was before the target turned. A vertex turns as the mean of its two
+/// sides.
 Vector2d turned_since(const Interface& interface, const Projection& place, const Vector2d& t,
                       const NodeArray& since) {
   const Surface& target = interface.target;
@@ -100,7 +100,9 @@ Vector2d turned_since(const Interface& interface, const Projection& place, const
   now.normalize();
   then.normalize();
   const double sine = now.x() * then.y() - now.y() * then.x();
-  return sine * sine / (1 + now.dot(then)) * t + sine * Vector2d(t.y(), -t.x());
+  const double cosine = now.dot(then);
+  const double less = cosine < 0 ? 1 - cosine : sine * sine / (1 + cosine);
+  return less * t + sine * Vector2d(t.y(), -t.x());
 }
 
 /// How far a point has slid since the nodes stood elsewhere: by how much two places that face each
