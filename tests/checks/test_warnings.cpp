@@ -343,3 +343,32 @@ TEST_CASE("an obstacle that rises between two nodes is told, one that the nodes 
       CHECK_FALSE(tells(notes(cells, seen), {"no node sees that"}));
     }
 }
+
+TEST_CASE("a disc whose centre lies on a side, where it cannot be looked at, is no bad input", "[warnings]") {
+  const std::string scene =
+      "[[body]]\nmesh = { kind = \"block\", size = [1, 1], cells = [4, 1] }\nmaterial = { "
+      "youngs_modulus = 1000, poisson_ratio = 0.3 }\nfixed = \"top\"\n[[contact]]\nsource = "
+      "\"bottom\"\ntarget = { kind = \"disc\", centre = [0.125, 0], radius = 0.1 }\n";
+  CHECK_NOTHROW(static_cast<void>(plan(parse_scene(scene, "s.toml", ".").scene)));
+}
+
+TEST_CASE("a target of mortar that turns away is told, one that turns in and other operators are not",
+          "[warnings]") {
+  const auto notes = [](const std::string& lower, const std::string& source,
+                        const std::string& target) {
+    return plan(parse_scene("material = { youngs_modulus = 1000, poisson_ratio = 0.3 }\n" + lower +
+                                "[[body]]\nname = \"up\"\nmesh = { kind = \"block\", corner = [-1, 1], "
+                                "size = [4, 1], cells = [4, 2] }\nfixed = \"top\"\n[[contact]]\nsource = " +
+                                source + "\ntarget = " + target + "\n",
+                            "s.toml", ".")
+                    .scene)
+        .notes;
+  };
+  const std::string low =
+      "[[body]]\nname = \"lo\"\nmesh = { kind = \"block\", size = [2, 1], cells = [5, 3] }\nfixed = \"bottom\"\n";
+  CHECK(tells(notes(low, "\"up.bottom\"", "[\"lo.top\", \"lo.right\"]"),
+              {"the target turns by 90 degrees", "(2, 1)", "operator = \"gauss_points\""}));
+  CHECK_FALSE(tells(notes(low, "\"up.bottom\"", "\"lo.top\""), {"the target turns"}));
+  CHECK_FALSE(tells(notes(low, "\"up.bottom\"", "[\"lo.top\", \"lo.right\"]\noperator = \"gauss_points\""),
+                    {"the target turns"}));
+}

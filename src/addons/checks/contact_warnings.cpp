@@ -44,33 +44,59 @@ std::string passage_warning(const std::string& what, const Surface& source, cons
               ". If the source has passed through the target, move the bodies apart");
 }
 
-/// How far a side turns at a node, if that is too far for one pair with one normal and one pressure.
-std::string turn_warning(const std::string& what, const Surface& source) {
-  std::map<Index, Eigen::Vector2d> normals;
-  std::vector<std::pair<double, Index>> turns;  // cosine and node
-  for (const SideCurve& side : side_curves(source.mesh, source.boundary))
-    for (const int end : {-1, 1}) {
-      const Index node = end < 0 ? side.nodes().front() : side.nodes().back();
-      const Eigen::Vector2d normal = side.normal(end);
-      const auto [known, first] = normals.emplace(node, normal);
-      const double cosine = known->second.dot(normal);
-      if (!first && cosine < std::cos(pi / 6)) turns.emplace_back(cosine, node);
-    }
-  if (turns.empty()) return "";
+/// Where a surface turns by more than 30 degrees from one side to the next: the cosine and the node.
+using Turns = std::vector<std::pair<double, Index>>;
+
+/// \param outwards  whether only corners that stick out count
+Turns turns_of(const Surface& surface, bool outwards) {
+  std::map<Index, Eigen::Vector2d> before, after;
+  for (const SideCurve& side : side_curves(surface.mesh, surface.boundary)) {
+    after.emplace(side.nodes().front(), side.normal(-1));
+    before.emplace(side.nodes().back(), side.normal(1));
+  }
   // A side of twelve edges turns by as much, and rounding does not decide about it.
-  const double too_far = std::cos(pi / 6) - 16 * direction_rounding(source.mesh);
-  turns.erase(std::remove_if(turns.begin(), turns.end(),
-                             [&](const auto& turn) { return turn.first >= too_far; }),
-              turns.end());
+  const double too_far = std::cos(pi / 6) - 16 * direction_rounding(surface.mesh);
+  Turns turns;
+  for (const auto& [node, normal] : before) {
+    const auto next = after.find(node);
+    if (next == after.end()) continue;
+    const Eigen::Vector2d& other = next->second;
+    const bool sticks_out = normal.x() * other.y() - normal.y() * other.x() > 0;
+    if (const double cosine = normal.dot(other); cosine < too_far && (sticks_out || !outwards))
+      turns.emplace_back(cosine, node);
+  }
+  return turns;
+}
+
+/// How far a side turns at a node, in words. \param which  side \param why  it is too far, and what to do
+std::string turn_warning(const std::string& what, const char* which, const Surface& surface,
+                         const Turns& turns, const char* why) {
   if (turns.empty()) return "";
   const auto [cosine, node] = *std::min_element(turns.begin(), turns.end());
-  return text(
-      what, ": the source turns by ",
-      std::round(std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / pi), " degrees at node ", node,
-      ", ", in_brackets(source.mesh.nodes.row(node)), ", and by more than 30 at ", turns.size(),
-      turns.size() == 1 ? " node" : " nodes",
+  return text(what, ": the ", which, " turns by ",
+              std::round(std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / pi), " degrees at node ",
+              node, ", ", in_brackets(surface.mesh.nodes.row(node)), ", and by more than 30 at ",
+              turns.size(), turns.size() == 1 ? " node" : " nodes", why);
+}
+
+/// A pair of a source has one normal and one pressure. A mean gap over an edge of which one end hangs over a corner of the target is less
+/// than any gap of that edge, because the weights of mortar are negative at its far end.
+std::vector<std::string> turn_warnings(const ContactSpec& contact, const std::string& what,
+                                       const Surface& source,
+                                       const std::vector<BodyModel>& bodies) {
+  std::vector<std::string> notes = {turn_warning(
+      what, "source", source, turns_of(source, false),
       ": a pair there has one normal and one pressure for both sides. Give the parts of a "
-      "side with a corner names of their own, and each its contact; make a round side finer");
+      "side with a corner names of their own, and each its contact; make a round side finer")};
+  if (contact.gap_operator != "mortar" || std::holds_alternative<Obstacle>(contact.target))
+    return notes;
+  const Surface target = surface(bodies, std::get<Side>(contact.target));
+  notes.push_back(turn_warning(
+      what, "target", target, turns_of(target, true),
+      ": an edge of the source that hangs over such a corner closes before it touches. Leave the "
+      "sides behind the corner out, take this side as the source, or operator = "
+      "\"gauss_points\" where nothing moves"));
+  return notes;
 }
 
 /// Of nodes on the axis of a body of revolution that have no pair, because no pressure could be told from their force.
@@ -167,7 +193,8 @@ std::vector<std::string> contact_warnings(const ContactSpec& contact,
           ? obstacle_warning(*obstacle, what, source, pairs)
           : passage_warning(what, source, surface(bodies, std::get<Side>(contact.target)), pairs));
   if (obstacle != nullptr) notes.push_back(unseen_warning(*obstacle, what, source));
-  notes.push_back(turn_warning(what, source));
+  for (std::string& note : turn_warnings(contact, what, source, bodies))
+    notes.push_back(std::move(note));
   notes.push_back(axis_warning(what, contact, bodies[body_index(bodies, contact.source)]));
   notes.erase(std::remove(notes.begin(), notes.end(), ""), notes.end());
   return notes;
