@@ -47,24 +47,46 @@ std::string passage_warning(const std::string& what, const Surface& source, cons
 /// Where a surface turns by more than 30 degrees from one side to the next: the cosine and the node.
 using Turns = std::vector<std::pair<double, Index>>;
 
+/// The sides of a boundary, each mostly followed by the next one of its list.
+class Walk {
+ public:
+  explicit Walk(const Surface& surface) : sides(side_curves(surface.mesh, surface.boundary)) {}
+
+  /// \return the side that begins where one ends; null at the end of a boundary
+  const SideCurve* behind(std::size_t k) {
+    const Index end = sides[k].nodes().back();
+    const SideCurve& next = sides[(k + 1) % sides.size()];
+    if (next.nodes().front() == end) return &next;
+    if (k + 1 < sides.size() && begins_.empty())
+      for (const SideCurve& side : sides) begins_.emplace(side.nodes().front(), &side);
+    const auto found = begins_.find(end);
+    return found == begins_.end() ? nullptr : found->second;
+  }
+
+  std::vector<SideCurve> sides;
+
+ private:
+  std::map<Index, const SideCurve*> begins_;  // once one is not followed by the next of the list
+};
+
 /// \param outwards  whether only corners that stick out count
 Turns turns_of(const Surface& surface, bool outwards) {
-  std::map<Index, Eigen::Vector2d> before, after;
-  for (const SideCurve& side : side_curves(surface.mesh, surface.boundary)) {
-    after.emplace(side.nodes().front(), side.normal(-1));
-    before.emplace(side.nodes().back(), side.normal(1));
+  Turns turns;
+  Walk walk(surface);
+  for (std::size_t k = 0; k < walk.sides.size(); ++k) {
+    const SideCurve* const next = walk.behind(k);
+    if (next == nullptr) continue;
+    const Eigen::Vector2d normal = walk.sides[k].normal(1), other = next->normal(-1);
+    const bool sticks_out = normal.x() * other.y() - normal.y() * other.x() > 0;
+    if (const double cosine = normal.dot(other); cosine < std::cos(pi / 6) && (sticks_out || !outwards))
+      turns.emplace_back(cosine, walk.sides[k].nodes().back());
   }
+  if (turns.empty()) return turns;
   // A side of twelve edges turns by as much, and rounding does not decide about it.
   const double too_far = std::cos(pi / 6) - 16 * direction_rounding(surface.mesh);
-  Turns turns;
-  for (const auto& [node, normal] : before) {
-    const auto next = after.find(node);
-    if (next == after.end()) continue;
-    const Eigen::Vector2d& other = next->second;
-    const bool sticks_out = normal.x() * other.y() - normal.y() * other.x() > 0;
-    if (const double cosine = normal.dot(other); cosine < too_far && (sticks_out || !outwards))
-      turns.emplace_back(cosine, node);
-  }
+  turns.erase(std::remove_if(turns.begin(), turns.end(),
+                             [&](const auto& turn) { return turn.first >= too_far; }),
+              turns.end());
   return turns;
 }
 
