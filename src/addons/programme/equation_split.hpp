@@ -7,6 +7,7 @@
 
 #include "signorini/core/dense.hpp"
 #include "signorini/problem/problem.hpp"
+#include "signorini/problem/residual.hpp"
 
 namespace signorini {
 
