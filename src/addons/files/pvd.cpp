@@ -16,6 +16,8 @@
 #include <utility>
 
 #include "addons/vtu/xml.hpp"
+#include "signorini/core/errors.hpp"
+#include "signorini/core/wording.hpp"
 #include "signorini/report/results.hpp"
 
 namespace signorini {
@@ -34,6 +36,10 @@ std::string attribute(const std::string& tag, const std::string& name) {
 // Times are written with 17 digits, so that they are read back as they were. The order of the list
 // is the order of the film.
 void write_pvd(const std::filesystem::path& file, const std::vector<TimedFile>& files) {
+  for (const TimedFile& one : files)
+    require_input(from_xml(in_xml(one.file)) == one.file, "cannot list ", in_quotes(one.file),
+                  " in ", in_quotes(file.string()),
+                  ": no file of XML can hold this name; take one in UTF-8");
   std::ostringstream out;
   out << std::setprecision(17)
       << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" "

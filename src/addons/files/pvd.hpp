@@ -17,7 +17,7 @@ struct TimedFile {
 /// Writes which files belong to which times: a PVD collection, which ParaView opens as one animation.
 /// \param file   to be written, in a folder that exists
 /// \param files  in the order of their times
-/// \throws ProblemError if the file cannot be written
+/// \throws ProblemError if the file cannot be written, or XML cannot hold one of the names
 void write_pvd(const std::filesystem::path& file, const std::vector<TimedFile>& files);
 
 /// \param content  of a file that write_pvd() wrote \return its files; none of another content
