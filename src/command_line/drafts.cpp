@@ -1,5 +1,6 @@
 #include "command_line/drafts.hpp"
 
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -125,7 +126,12 @@ fs::path Drafts::begin(const std::string& file) {
     entry = std::prev(entries_.end());
     entry->lock = std::make_unique<FileLock>(entry->place);
   }
-  return entry->draft = unused(entry->place);
+  entry->draft = unused(entry->place);
+  // What replaces a file is for nobody's eyes until it has the mode of that file.
+  std::error_code unseen;
+  if (fs::exists(entry->place, unseen))
+    close(open(entry->draft.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, S_IRUSR | S_IWUSR));
+  return entry->draft;
 }
 
 std::string Drafts::in_words(std::string message) const {
