@@ -102,14 +102,27 @@ class Reader {
     InpSet& set = moved.mapped();
     set.name = placed(set.name, set.of_part);
     moved.key() = inp_key(set.name);
-    if (&sets == &out_.node_sets)  // which others name
-      for (InpSets* const all : {&out_.node_sets, &out_.node_surfaces})
-        for (auto& named : *all)
-          for (InpEntry& entry : named.second.entries)
-            if (entry.set == key) entry.set = moved.key();
+    rename(sets, key, moved.key());
     const std::string taken = set.name;
     if (!sets.insert(std::move(moved)).inserted)
       in_.fail(text("a name of its own: another set is called '", taken, "' already"), taken);
+  }
+
+  /// Calls a set by its new key wherever it is named so far; surfaces are named by nothing.
+  void rename(const InpSets& sets, const std::string& key, const std::string& now) {
+    if (&sets != &out_.node_sets && &sets != &out_.element_sets) return;
+    const auto renamed = [&](std::string& name) {
+      if (name == key) name = now;
+    };
+    const bool nodes = &sets == &out_.node_sets;
+    for (InpSets* const all : {nodes ? &out_.node_sets : &out_.element_sets,
+                               nodes ? &out_.node_surfaces : &out_.surfaces})
+      for (auto& named : *all)
+        for (InpEntry& entry : named.second.entries) renamed(entry.set);
+    if (nodes) return;
+    for (std::string& name : out_.sections) renamed(name);
+    for (std::string& name : out_.of_elements) renamed(name);
+    for (auto& one : out_.thicknesses) renamed(one.set);
   }
 
   void note_two(const InpSets& sets, const InpSet& other, const std::string& name) {
