@@ -32,6 +32,12 @@ MatrixXd drawn(Random& random, Index rows, Index columns) {
   return MatrixXd::NullaryExpr(rows, columns, [&] { return random.uniform(-1, 1); });
 }
 
+void check_solved(const DenseProgramme& programme) {
+  const DenseSolution solution = solve(programme, find_solver("quasi_active_set"));
+  REQUIRE(solution.report.status == SolveStatus::Solved);
+  CHECK(solution.certificate.holds());
+}
+
 }  // namespace
 
 TEST_CASE("a negative curvature across the equations is no obstacle, however large",
@@ -80,9 +86,7 @@ TEST_CASE("random programmes that are convex on their equations alone are solved
     programme.A << E, E.bottomRows(1);
     programme.initial_gap = programme.A * drawn(random, n, 1);
     programme.equations = equations + 1;
-    const DenseSolution solution = solve(programme, find_solver("quasi_active_set"));
-    REQUIRE(solution.report.status == SolveStatus::Solved);
-    CHECK(solution.certificate.holds());
+    check_solved(programme);
   }
 }
 
@@ -102,9 +106,7 @@ TEST_CASE("a K that is nothing along the equations and negative across them is s
     programme.initial_gap = VectorXd::Ones(programme.A.rows());
     programme.initial_gap.head(equations) = E * drawn(random, n, 1);
     programme.equations = equations;
-    const DenseSolution solution = solve(programme, find_solver("quasi_active_set"));
-    REQUIRE(solution.report.status == SolveStatus::Solved);
-    CHECK(solution.certificate.holds());
+    check_solved(programme);
   }
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "signorini/core/errors.hpp"
 #include "signorini/core/index.hpp"
@@ -58,28 +57,19 @@ struct OnAxis {
   std::vector<char> marks;  // empty: none
 };
 
-/// Leaves the marks that no side with an area has at all its nodes; on the axis only those along it. Most supports are those of
-/// boundaries, so that the others are looked for only if marks are left.
+/// Leaves the marks that no side with an area has at all its nodes; on the axis only those along it.
 Marks at_points(const Marks& all, const BodyModel& body, const OnAxis& axis) {
   Marks marks = all;
-  Index left = marks.count();
-  const auto leave = [&](Index node, int c) { left -= std::exchange(marks(node, c), false) ? 1 : 0; };
-  for (Index node = 0; !axis.marks.empty() && node < marks.rows(); ++node)
-    if (axis(node)) leave(node, 0);
-  const auto leave_out = [&](const std::vector<CellSide>& sides) {
-    for (const CellSide& side : sides) {
-      if (!all.row(body.mesh.cells(side.cell, side.side)).any()) continue;
-      const std::vector<Index> nodes = body.mesh.side_nodes(side);
-      if (std::all_of(nodes.begin(), nodes.end(), axis)) continue;
-      for (int c = 0; c < 2; ++c)
-        if (std::all_of(nodes.begin(), nodes.end(), [&](Index node) { return all(node, c); }))
-          for (const Index node : nodes) leave(node, c);
-    }
-  };
-  for (const auto& named : body.mesh.boundaries)
-    if (left > 0) leave_out(named.second);
-  if (left > 0) leave_out(outer_sides(body.mesh));
-  return left > 0 ? marks : Marks();
+  for (Index node = 0; node < marks.rows(); ++node)
+    if (axis(node)) marks(node, 0) = false;
+  for (const CellSide& side : outer_sides(body.mesh)) {
+    const std::vector<Index> nodes = body.mesh.side_nodes(side);
+    if (std::all_of(nodes.begin(), nodes.end(), axis)) continue;
+    for (int c = 0; c < 2; ++c)
+      if (std::all_of(nodes.begin(), nodes.end(), [&](Index node) { return all(node, c); }))
+        for (const Index node : nodes) marks(node, c) = false;
+  }
+  return marks;
 }
 
 /// Says where marked components bear forces, and how large the largest is; empty where none is more than `nothing`.
@@ -116,7 +106,7 @@ std::vector<std::string> point_supports(const Model& model, const Solution& solu
                           auto&& forces_of) {
       if (!all.any()) return;
       const Marks marks = at_points(all, body, axis);
-      if (marks.size() == 0) return;
+      if (!marks.any()) return;
       const double all_forces =
           model.programme.load.lpNorm<1>() + solution.contact.force.lpNorm<1>();
       const std::string where = borne_at(marks, forces_of(model, solution, b), body, axis,

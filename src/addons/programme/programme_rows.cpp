@@ -59,7 +59,7 @@ CholeskyFactor factored(const DenseProgramme& programme, const VectorXd& rho, do
 }
 
 /// The same with as much of each equation as is needed. \param[out] rho  what each adds
-CholeskyFactor factored(const DenseProgramme& programme, double spring, VectorXd& rho) {
+CholeskyFactor factored_with_enough(const DenseProgramme& programme, double spring, VectorXd& rho) {
   rho = equation_stiffness(programme, spring);
   try {
     return factored(programme, rho, spring);
@@ -94,7 +94,7 @@ void check_sizes(const DenseProgramme& programme) {
 ProgrammeRows::ProgrammeRows(const DenseProgramme& programme, double spring)
     : programme_(programme), spring_(spring) {
   check_sizes(programme);
-  factor_ = factored(programme, spring, rho_);
+  factor_ = factored_with_enough(programme, spring, rho_);
   const Index n = programme.load.size();
   displacement_ = programme.load;
   if (equations() > 0) {
