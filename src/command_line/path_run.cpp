@@ -88,8 +88,7 @@ std::vector<Column> columns(const SceneRun& run, const Model* model, const Step*
       add("force x", "%.5g", [&] { return sum->force.x(); });
     add("force y", "%.5g", [&] { return sum->force.y(); });
     if (frictional)
-      add("dissipated_total", "%.5g",
-          [&] { return sum->dissipated_total + step->state.dissipated_elsewhere; });
+      add("dissipated_total", "%.5g", [&] { return sum->dissipated_total; });
   }
   add("certificate", "%.1e", [&] { return step->solution.certificate.worst(); });
   return all;
@@ -291,7 +290,7 @@ void PathTeller::tell(const SceneRun& run, const Model& model, const Step& step)
     json_.object().key("step").value(step.state.steps).key("time").value(step.state.time);
     if (!run.plan.law.pair.empty())
       json_.key("dissipated_total")
-          .value(step.state.dissipation.sum() + step.state.dissipated_elsewhere);
+          .value(step.state.dissipation.sum() + step.state.dissipated_elsewhere.sum());
     write_result(json_, model, step.solution, run.file.probes, &step.state);
     json_.end();
     return;

@@ -17,6 +17,7 @@
 #include "command_line/run_monitor.hpp"
 #include "papers/solver_table.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/report/pressure_table.hpp"
 #include "signorini/report/results.hpp"
@@ -119,13 +120,13 @@ const char* taken_by(const std::string& command) {
                                  : "scene";
 }
 
-// Divided by a power of two, which rounds nothing, no square is too large or too small.
+// Of places that move alike the first one is named: which of them is farther by rounding says nothing.
 Farthest farthest(const NodeArray& displacements) {
-  const double largest = displacements.cwiseAbs().maxCoeff();
-  const int power = largest > 0 && std::isfinite(largest) ? std::ilogb(largest) : 0;
-  const NodeArray u = displacements.unaryExpr([=](double x) { return std::ldexp(x, -power); });
   Farthest found;
-  found.length = std::ldexp(u.rowwise().norm().maxCoeff(&found.node), power);
+  for (Eigen::Index node = 0; node < displacements.rows(); ++node)
+    if (const double length = std::hypot(displacements(node, 0), displacements(node, 1));
+        length > found.length * (1 + 4 * epsilon))
+      found = {length, node};
   return found;
 }
 

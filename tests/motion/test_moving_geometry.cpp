@@ -236,7 +236,12 @@ TEST_CASE("friction remembers along the surface what slid where nodes lose their
   double before = 0;
   Index left = 0;
   const PathEnd end = solve_steps(moving_blocks(of), [&](const Model& model, const Step& step) {
-    const double all = step.state.dissipation.sum() + step.state.dissipated_elsewhere;
+    const double all = step.state.dissipation.sum() + step.state.dissipated_elsewhere.sum();
+    // So do the sums that are told, of all contacts and of each.
+    const std::optional<PathTotals> sums = totals(&step.state);
+    CHECK(resultants(model, step.solution, sums).dissipated_total == Approx(all).epsilon(1e-14));
+    CHECK(resultants_of_contacts(model, step.solution, sums)[0].dissipated_total ==
+          Approx(all).epsilon(1e-14));
     CHECK(all >= before * (1 - 1e-14));
     before = all;
     left = Index(model.pairs.unpaired.size());
@@ -244,7 +249,8 @@ TEST_CASE("friction remembers along the surface what slid where nodes lose their
   INFO(end.reason);
   REQUIRE(end.status == SolveStatus::Solved);
   CHECK(left > 0);
-  CHECK(end.state.dissipated_elsewhere > 0);
+  REQUIRE(end.state.dissipated_elsewhere.size() == 1);
+  CHECK(end.state.dissipated_elsewhere(0) > 0);
   std::ostringstream out;
   write_state(end.state, out);
   const PathState again = read_state(out.str(), "saved");

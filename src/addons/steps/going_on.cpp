@@ -29,7 +29,8 @@ void check_sizes(const PathState& state, const Model& model) {
     const Index sizes = static_cast<Index>(state.contact_status.size()) + state.slip.size() +
                         state.increment.size() + state.dissipation.size() +
                         solution.displacement.size() + solution.displacement_low.size() +
-                        solution.rigid.size() + solution.force.size() + state.way.size();
+                        solution.rigid.size() + solution.force.size() + state.way.size() +
+                        state.dissipated_elsewhere.size();
     require_input(
         state.time == 0 && sizes == 0,
         "a state before the first step is empty and of time 0, but "
@@ -46,14 +47,16 @@ void check_sizes(const PathState& state, const Model& model) {
       (solution.displacement_low.size() == 0 || solution.displacement_low.size() == n) &&
       (solution.rigid.size() == 0 || solution.rigid.size() == n) &&
       (state.way.size() == 0 || state.way.size() == n) &&
-      solution.force.size() == pairs + slips;
+      solution.force.size() == pairs + slips &&
+      state.dissipated_elsewhere.size() <= static_cast<Index>(model.contacts.size());
   require_input(fits, "the state at time ", state.time, " is of another scene: it has ",
                 solution.displacement.size(), " unknowns, ", state.contact_status.size(),
                 " pairs and ", state.slip.size(), " slips, but this one ", n, ", ", pairs, " and ",
                 slips);
   require_input(
       state.steps > 0 && std::isfinite(state.time) && state.slip.allFinite() &&
-          state.increment.allFinite() && state.dissipation.allFinite() && state.way.allFinite(),
+          state.increment.allFinite() && state.dissipation.allFinite() && state.way.allFinite() &&
+          state.dissipated_elsewhere.allFinite(),
       "the state after step ", state.steps, " at time ", state.time,
       " has numbers that are not finite or steps below 0: go on from one that was solved");
 }
@@ -136,7 +139,7 @@ void check_state(const PathState& state, Model& model) {
 
 std::optional<PathTotals> totals(const PathState* state) {
   if (state == nullptr) return {};
-  return PathTotals{state->slip, state->dissipation};
+  return PathTotals{state->slip, state->dissipation, state->dissipated_elsewhere};
 }
 
 }  // namespace signorini

@@ -39,8 +39,11 @@ void hand_on(const std::vector<PairName>& names, const Model& model, PathState& 
     state.slip(static_cast<Index>(k)) = slip(before);
     state.dissipation(static_cast<Index>(k)) = dissipation(before);
   }
+  VectorXd lost = VectorXd::Zero(static_cast<Index>(model.contacts.size()));
+  lost.head(state.dissipated_elsewhere.size()) = state.dissipated_elsewhere;
   for (std::size_t k = 0; k < names.size(); ++k)
-    if (!stays[k]) state.dissipated_elsewhere += dissipation(static_cast<Index>(k));
+    if (!stays[k]) lost(static_cast<Index>(names[k].first)) += dissipation(static_cast<Index>(k));
+  if (!lost.isZero(0)) state.dissipated_elsewhere = std::move(lost);
 }
 
 /// How far loads go on as in the last step: their changes, seen along those of that step.

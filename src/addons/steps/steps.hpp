@@ -41,8 +41,8 @@ struct PathState {
   Eigen::VectorXd increment = {};
   /// `n_s` sum over the steps of |tau| |increment| [force*length], >= 0
   Eigen::VectorXd dissipation = {};
-  /// Of bodies that move: what nodes dissipated until they lost their pair [force*length]
-  double dissipated_elsewhere = 0;
+  /// Of bodies that move, for each contact: what nodes dissipated until they lost their pair [force*length]; empty: none did
+  Eigen::VectorXd dissipated_elsewhere = {};
   PrimalDual solution = {};  ///< u in two parts and forces of all rows of A, of the last step
   double began = 0;  ///< of bodies that move: when the last step began [time]
   /// `n` how far their unknowns went in it; empty if loads turned at its beginning [length]

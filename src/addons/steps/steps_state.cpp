@@ -79,8 +79,11 @@ void read_rest(TextReader& reader, bool marked, PathState& state) {
     word = next();
   }
   if (word == elsewhere) {
-    state.dissipated_elsewhere = reader.number(reader.word(), elsewhere);
-    reader.expect_end_of_line(elsewhere);
+    std::vector<double> each = {reader.number(reader.word(), elsewhere)};  // contact; older files have the sum of all
+    for (word = reader.word(); !word.empty(); word = reader.word())
+      each.push_back(reader.number(word, elsewhere));
+    state.dissipated_elsewhere =
+        Eigen::Map<const VectorXd>(each.data(), static_cast<Index>(each.size()));
     word = next();
   }
   if (marked) {
@@ -107,8 +110,11 @@ void write_state(const PathState& state, std::ostream& out) {
     out << began << ' ' << shortest(state.began) << '\n';
     write_vector("way", state.way, out);
   }
-  if (state.dissipated_elsewhere != 0)
-    out << elsewhere << ' ' << shortest(state.dissipated_elsewhere) << '\n';
+  if (state.dissipated_elsewhere.size() > 0) {
+    out << elsewhere;
+    for (const double one : state.dissipated_elsewhere) out << ' ' << shortest(one);
+    out << '\n';
+  }
   out << last_line << '\n';
 }
 

@@ -114,6 +114,7 @@ Resultants resultants(const Model& model, const Solution& solution,
                       const std::optional<PathTotals>& totals) {
   Resultants sum{Eigen::Vector2d::Zero(), 0, 0, 0};
   add_pairs(model, solution, totals, [&](Index /*pair*/) -> Resultants& { return sum; });
+  if (totals) sum.dissipated_total += totals->elsewhere.sum();
   return sum;
 }
 
@@ -126,6 +127,8 @@ std::vector<Resultants> resultants_of_contacts(const Model& model, const Solutio
   add_pairs(model, solution, totals, [&](Index pair) -> Resultants& {
     return sums[model.contact_of[static_cast<std::size_t>(pair)]];
   });
+  for (Index k = 0; totals && k < totals->elsewhere.size(); ++k)
+    sums[static_cast<std::size_t>(k)].dissipated_total += totals->elsewhere(k);
   return sums;
 }
 

@@ -33,6 +33,8 @@ struct SolvedScene {
 struct PathTotals {
   Eigen::VectorXd slip;         ///< `n_s` [length], of the source along the tangent
   Eigen::VectorXd dissipation;  ///< `n_s` [force length], >= 0
+  /// Of each contact, what nodes dissipated until they lost their pair [force length]; empty: none did
+  Eigen::VectorXd elsewhere = {};
 };
 
 /// Forces of contact on the nodes of one body: \f$ N^T\lambda \f$. In axial symmetry, here and below, of the whole
