@@ -92,7 +92,7 @@ TEST_CASE("beyond its ends a side is continued as the same curve", "[side]") {
   CHECK(straight.continued({2.1, -5}, 1) == Approx(1.1).epsilon(1e-15));
   CHECK(straight.continued({-0.1, 5}, -1) == Approx(-1.1).epsilon(1e-15));
   const SideCurve bent = bottom_side(MeshOrder::Quadratic, {1, -0.2});
-  const AnchoredPoint beyond = bent.point(1.001) + 0.05 * bent.normal(1.001);
+  const AnchoredPoint beyond = bent.point(1.001).moved(0.05, {bent.normal(1.001), {0, 0}});
   CHECK(bent.continued(beyond, 1) == Approx(1.001).epsilon(1e-12));
 }
 

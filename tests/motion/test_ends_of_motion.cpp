@@ -1,5 +1,7 @@
 // Bodies that move, where little is left: no load, no unknown, no pair, a vertex, a turn of a shaft.
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -7,6 +9,8 @@
 #include "addons/files/scene_file.hpp"
 #include "addons/steps/steps.hpp"
 #include "catch_compat.hpp"
+#include "signorini/core/rounding.hpp"
+#include "signorini/report/pressure_table.hpp"
 #include "signorini/scene/bodies.hpp"
 
 using namespace signorini;
@@ -227,4 +231,29 @@ TEST_CASE("a ring slides along its shaft by the arc, and not by the sine of it",
     CHECK(angle > 0.9);
     CHECK(-slip(static_cast<Index>(k)) == Approx(angle).epsilon(1e-12));
   }
+}
+
+// A block that hardly moves: its gaps are 1e-12 of what it moves by, and that is far less than the rounding of its sides.
+TEST_CASE("a stiff block rests on a slope, and bears its weight there", "[motion][friction]") {
+  const double modulus = GENERATE(1e3, 1e5, 1e7, 1e9, 1e11);
+  const std::string target = GENERATE(as<std::string>(), "\"ramp.top\"",
+                                      "{ kind = \"polyline\", points = [[-2, -0.35], [2, 0.35]] }");
+  CAPTURE(modulus, target);
+  const double slope = std::atan2(0.35, 2.0);
+  std::ostringstream scene;
+  scene << std::setprecision(17) << "moves = true\nmaterial = { youngs_modulus = " << modulus
+        << ", poisson_ratio = 0.3 }\n[[body]]\nname = \"ramp\"\nmesh = { kind = \"block\", corner = [-2, -0.5], "
+        << "size = [4, 0.5], cells = [16, 2], turn = " << slope * 180 / pi
+        << " }\nfixed = \"bottom\"\n[[body]]\nname = \"block\"\nmesh = { kind = \"block\", corner = [-0.5, 0], "
+        << "size = [1, 0.5], cells = [4, 1], turn = " << slope * 180 / pi
+        << " }\nbody_force = { value = [0, -1], history = \"weight\" }\n[[contact]]\nsource = \"block.bottom\"\n"
+        << "target = " << target << "\nfriction = 0.7\n[[steps]]\nvalues = { weight = 1 }\n";
+  const Walked all = walked(scene.str());
+  INFO(all.end.reason);
+  REQUIRE(all.end.status == SolveStatus::Solved);
+  CHECK(all.end.halvings == 0);
+  CHECK(all.last.solution.certificate.holds());
+  const Resultants sum = resultants(all.model, all.last.solution, {});
+  CHECK(sum.force.x() == Approx(0).margin(1e-12));
+  CHECK(sum.force.y() == Approx(0.5).epsilon(1e-12));
 }

@@ -53,6 +53,28 @@ TEST_CASE("a point over a plate faces the place below it", "[target_search]") {
   CHECK(search.closest({1.25, -0.5}, {0, -1}).gap == -0.5);
 }
 
+// Closed form: from nothing at its first node to 3 / sqrt(10) of 2^-52 at its last one. Ways along the sides are rounded by as much.
+TEST_CASE("gaps between sides that nearly coincide have digits of their own", "[target_search][closed-form]") {
+  Mesh below = plate(1);
+  Mesh above = block("block", {0, 0}, {1, 1}, 1, 1, GENERATE(MeshOrder::Linear, MeshOrder::Quadratic));
+  const auto put = [](Mesh& mesh, Vector2d from, Vector2d to) {
+    for (Index k = 0; k < mesh.n_nodes(); ++k)
+      if (mesh.nodes.row(k).transpose() == from) mesh.nodes.row(k) = to.transpose();
+  };
+  put(below, {4, 0}, {3, 1});
+  put(above, {0, 0}, {1.5, 0.5});
+  put(above, {0.5, 0}, {1.875, 0.625 + 0x1p-53});
+  put(above, {1, 0}, {2.25, 0.75 + 0x1p-52});
+  const TargetSearch search(below, "top");
+  const SideCurve side = side_curves(above, "bottom").front();
+  for (const double xi : {-0.9, -0.57, 0.1, 0.3, 0.77, 1.0}) {
+    CAPTURE(xi, side.nodes().size());
+    const Projection place = search.closest(side.point(xi), side.normal(xi));
+    REQUIRE(place.found);
+    CHECK(place.gap == Approx((1 + xi) / 2 * 3 / std::sqrt(10) * 0x1p-52).epsilon(1e-12).margin(0));
+  }
+}
+
 TEST_CASE("what lies beside a boundary faces nothing, but for the last digit of its position",
           "[target_search]") {
   const Mesh mesh = plate(4);

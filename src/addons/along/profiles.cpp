@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/exact_sum.hpp"
 #include "signorini/core/plane.hpp"
 #include "signorini/core/rounding.hpp"
 
@@ -89,16 +90,28 @@ class Chords {
     if (place.along <= 0 && (closed_ || before > 0)) before = (before + count() - 1) % count();
     if (place.along >= length(place.chord) && (closed_ || behind + 1 < count()))
       behind = (behind + 1) % count();
-    const Vector2d arm = x - from(place.chord);
-    if (before == behind) return {normal(before).dot(arm), normal(before)};
+    if (before == behind) return {above(before, x), normal(before)};
     // At a corner: which side of it the point is on says the mean of both normals.
-    const Vector2d way = arm - place.along * tangent(place.chord);
+    const Vector2d way = x - from(behind);
     const double side = way.dot(normal(before) + normal(behind)) < 0 ? -1 : 1;
-    return {side * place.apart, at_corner(side * way, normal(before), normal(behind))};
+    return {side * way.norm(), at_corner(side * way, normal(before), normal(behind))};
   }
 
  private:
   static std::size_t index(Index chord) { return static_cast<std::size_t>(chord); }
+
+  /// How far above a chord, or its line, a point is: twice the area of the triangle of the three by the length. Its six products are
+  /// summed exactly, as they leave a gap of the places where bodies hardly move.
+  [[nodiscard]] double above(Index chord, const Vector2d& x) const {
+    const Vector2d corners[] = {points_.row(chord), points_.row(chord + 1), x};
+    ExactSum area;
+    for (int k = 0; k < 3; ++k) {
+      const Vector2d &a = corners[k], &b = corners[(k + 1) % 3];
+      area.add_product(a.x(), b.y());
+      area.add_product(-a.y(), b.x());
+    }
+    return area.value() / length(chord);
+  }
 
   NodeArray points_;
   bool closed_;

@@ -57,7 +57,8 @@ Obstacle circle(const char* name, const Eigen::Vector2d& centre, double radius, 
 }  // namespace
 
 /// The only obstacle whose true gap is linear. A normal of any length is taken; very long and very
-/// short ones must not overflow when they are squared.
+/// short ones must not overflow when they are squared. Along a slope the two products cancel, and
+/// what is left is summed exactly, as beside a circle.
 Obstacle half_plane(const Eigen::Vector2d& point, const Eigen::Vector2d& normal) {
   require_input(
       point.allFinite() && normal.allFinite() && normal.stableNorm() > 0,
@@ -66,7 +67,12 @@ Obstacle half_plane(const Eigen::Vector2d& point, const Eigen::Vector2d& normal)
   const Eigen::Vector2d n = normal.stableNormalized();
   return {"half plane",
           [point, n](const Eigen::Vector2d& x) {
-            return ObstacleContact{n.dot(x - point), n};
+            ExactSum gap;
+            for (const int axis : {0, 1}) {
+              gap.add_product(n(axis), x(axis));
+              gap.add_product(-n(axis), point(axis));
+            }
+            return ObstacleContact{gap.value(), n};
           },
           true};
 }

@@ -16,7 +16,9 @@
 //
 // The body lies to the left of the walk, hence \f$n = (t_y, -t_x)\f$ points out of it. An
 // AnchoredPoint keeps a node and the way from it apart, so that differences of places are exact to
-// rounding of the way.
+// rounding of the way. A gap is a difference that may be smaller than that. A way of 0.25 is rounded
+// by 3e-17. A block of steel under its own weight moves by 1e-9, and there a gap of 3e-17 changes the
+// eighth digit of its forces. So what rounding takes from the way is kept as well.
 
 #include "signorini/fem/side_curve.hpp"
 
@@ -25,6 +27,7 @@
 #include <limits>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/exact_sum.hpp"
 #include "signorini/core/rounding.hpp"
 
 namespace signorini {
@@ -78,30 +81,65 @@ double rising_root(const Cubic& f, double low, double high) {
 
 }  // namespace
 
+/// The arm grows by a product of which nothing is lost. What the way itself lacks is so small that
+/// its product may be rounded.
+AnchoredPoint AnchoredPoint::moved(double share, const ExactWay& way) const {
+  AnchoredPoint there = *this;
+  for (const Index axis : {0, 1}) {
+    ExactSum arm(arm_(axis), rest_(axis));
+    arm.add_product(share, way.rounded(axis));
+    arm.add(share * way.rest(axis));
+    there.arm_(axis) = arm.high();
+    there.rest_(axis) = arm.low();
+  }
+  return there;
+}
+
+/// Anchors first: of two nodes that lie far from the origin and near each other all leading digits
+/// cancel. The arms then cancel most of what is left, and the rests say the last digits of a gap.
+ExactWay AnchoredPoint::way_from(const AnchoredPoint& from) const {
+  ExactWay way;
+  for (const Index axis : {0, 1}) {
+    ExactSum sum(anchor_(axis), rest_(axis) - from.rest_(axis));
+    sum.add(-from.anchor_(axis));
+    sum.add(arm_(axis));
+    sum.add(-from.arm_(axis));
+    way.rounded(axis) = sum.value();
+    way.rest(axis) = (sum.high() - way.rounded(axis)) + sum.low();
+  }
+  return way;
+}
+
 SideShape side_shape(std::size_t n_nodes, double xi) {
   if (n_nodes == 2) return {{(1 - xi) / 2, (1 + xi) / 2, 0}, {-0.5, 0.5, 0}};
   return {{xi * (xi - 1) / 2, 1 - xi * xi, xi * (xi + 1) / 2}, {xi - 0.5, -2 * xi, xi + 0.5}};
 }
 
 /// A side of two nodes is a parabola that does not bend, so that one set of formulas serves both.
+/// Half of a number is exact.
 SideCurve::SideCurve(const Mesh& mesh, const CellSide& side)
     : nodes_(mesh.side_nodes(side)),
       first_(mesh.nodes.row(nodes_.front())),
       last_(mesh.nodes.row(nodes_.back())),
-      middle_(first_, (last_ - first_) / 2),
-      slope_((last_ - first_) / 2),
-      bend_(0, 0) {
+      middle_(first_) {
+  const ExactWay chord = AnchoredPoint(last_).way_from(first_);
+  slope_ = {chord.rounded / 2, chord.rest / 2};
+  middle_ = middle_.moved(1, slope_);
   if (nodes_.size() == 2) return;
-  const AnchoredPoint chord = middle_;
+  const AnchoredPoint of_chord = middle_;
   middle_ = mesh.nodes.row(nodes_[1]).transpose();
-  bend_ = chord - middle_;
+  bend_ = of_chord.way_from(middle_);
 }
 
-/// Ends are the nodes to the last bit: two sides that meet agree on where.
+/// Ends are the nodes to the last bit: two sides that meet agree on where. In between
+/// \f$ s + \xi b \f$ is a way of its own, from no particular point, and \f$ \xi \f$ times it leads from
+/// the middle to the place. On a straight line b is nothing, and one product is enough.
 AnchoredPoint SideCurve::point(double xi) const {
   if (xi == -1) return first_;
   if (xi == 1) return last_;
-  return middle_ + xi * (slope_ + xi * bend_);
+  if (nodes_.size() == 2) return middle_.moved(xi, slope_);
+  const AnchoredPoint origin(0, 0);
+  return middle_.moved(xi, origin.moved(1, slope_).moved(xi, bend_).way_from(origin));
 }
 
 /// The body is on the left of the walk, so that outwards is a quarter turn to the right.
@@ -114,7 +152,7 @@ Vector2d SideCurve::normal(double xi) const {
 /// the ends is a little too large, and needs no search for extreme points.
 Eigen::Matrix2d SideCurve::box() const {
   // A parabola lies in the triangle of its ends and the point where the tangents there meet.
-  const Vector2d apex = (middle_ + -bend_).position();
+  const Vector2d apex = middle_.moved(-1, bend_).position();
   Eigen::Matrix2d box;
   box.col(0) = first_.cwiseMin(last_).cwiseMin(apex);
   box.col(1) = first_.cwiseMax(last_).cwiseMax(apex);
@@ -127,8 +165,9 @@ Eigen::Matrix2d SideCurve::box() const {
 /// answer the same on every machine.
 double SideCurve::closest(const AnchoredPoint& x) const {
   const Vector2d arm = middle_ - x;
-  const Cubic f{{arm.dot(slope_), slope_.squaredNorm() + 2 * arm.dot(bend_), 3 * slope_.dot(bend_),
-                 2 * bend_.squaredNorm()}};
+  const Vector2d &slope = slope_.rounded, &bend = bend_.rounded;
+  const Cubic f{{arm.dot(slope), slope.squaredNorm() + 2 * arm.dot(bend), 3 * slope.dot(bend),
+                 2 * bend.squaredNorm()}};
   if (nodes_.size() == 2) return std::clamp(-f.c[0] / f.c[1], -1.0, 1.0);
   std::vector<double> bounds = roots(f.c[1], f.c[2], 3 * f.c[3], -1, 1);
   bounds.insert(bounds.begin(), -1);
@@ -158,7 +197,7 @@ double SideCurve::continued(const AnchoredPoint& x, int end) const {
   for (int step = 0; step < 4; ++step) {
     const Vector2d arm = point(xi) - x;
     const Vector2d t = tangent(xi);
-    const double curvature = t.squaredNorm() + 2 * arm.dot(bend_);
+    const double curvature = t.squaredNorm() + 2 * arm.dot(bend_.rounded);
     if (!(curvature > 0)) return std::numeric_limits<double>::quiet_NaN();
     xi -= arm.dot(t) / curvature;
   }
@@ -169,8 +208,8 @@ double SideCurve::continued(const AnchoredPoint& x, int end) const {
 std::vector<double> SideCurve::crossings(const AnchoredPoint& x, const Vector2d& direction,
                                          double beyond) const {
   const Vector2d across(direction.y(), -direction.x());
-  return roots((middle_ - x).dot(across), slope_.dot(across) / 2, bend_.dot(across), -1 - beyond,
-               1 + beyond);
+  return roots((middle_ - x).dot(across), slope_.rounded.dot(across) / 2,
+               bend_.rounded.dot(across), -1 - beyond, 1 + beyond);
 }
 
 /// The normal of a node between two sides is the sum of theirs. It says which way the node looks,

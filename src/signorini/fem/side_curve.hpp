@@ -15,9 +15,16 @@
 
 namespace signorini {
 
+/// A vector in about twice the working precision.
+struct ExactWay {
+  Eigen::Vector2d rounded = {0, 0};  ///< [length]
+  Eigen::Vector2d rest = {0, 0};     ///< what rounding has taken from it [length]
+};
+
 /// A point as a node, or another position that is exact, and the way from there. Far from the origin the
 /// position of a place on a side is rounded more than the way to it: what is computed from points is computed
-/// from their differences, which are as exact as the nodes are.
+/// from their differences, which are as exact as the nodes are. What rounding takes from the way is kept, too: of places that nearly
+/// coincide the difference has all its digits.
 class AnchoredPoint {
  public:
   /// \param position  that is taken as exact [length]
@@ -25,18 +32,13 @@ class AnchoredPoint {
   AnchoredPoint(const Eigen::MatrixBase<Derived>& position) : anchor_(position) {}
   /// \param x  coordinate that is taken as exact [length] \param y  the other
   AnchoredPoint(double x, double y) : anchor_(x, y) {}
-  /// \param anchor  position that is taken as exact [length]
-  /// \param arm     from there to the point [length]
-  AnchoredPoint(const Eigen::Vector2d& anchor, const Eigen::Vector2d& arm)
-      : anchor_(anchor), arm_(arm) {}
-
   /// \return where it is, rounded [length]
   [[nodiscard]] Eigen::Vector2d position() const { return anchor_ + arm_; }
-  /// \param way  from here [length] \return the point there
-  [[nodiscard]] AnchoredPoint operator+(const Eigen::Vector2d& way) const {
-    return {anchor_, arm_ + way};
-  }
-  /// \param to  a point \param from  another \return the way between them [length]
+  /// \param share  how much of a way [-] \param way  from here \return the point there, to the last digit but one of two doubles
+  [[nodiscard]] AnchoredPoint moved(double share, const ExactWay& way) const;
+  /// \param from  another point \return the way from there to here
+  [[nodiscard]] ExactWay way_from(const AnchoredPoint& from) const;
+  /// \param to  a point \param from  another \return the way between them, to the rounding of their arms [length]
   friend Eigen::Vector2d operator-(const AnchoredPoint& to, const AnchoredPoint& from) {
     return (to.anchor_ - from.anchor_) + (to.arm_ - from.arm_);
   }
@@ -44,6 +46,7 @@ class AnchoredPoint {
  private:
   Eigen::Vector2d anchor_;
   Eigen::Vector2d arm_ = {0, 0};
+  Eigen::Vector2d rest_ = {0, 0};  // what rounding has taken from the arm
 };
 
 /// Values at the nodes of a side, in walking order: first, last; or first, middle, last.
@@ -71,11 +74,13 @@ class SideCurve {
   /// \return shape functions there
   [[nodiscard]] SideShape shape(double xi) const { return side_shape(nodes_.size(), xi); }
   /// \param xi  place along the side [-]
-  /// \return the point there; exactly the node at -1 and 1
+  /// \return the point there; exactly the node at -1 and 1, otherwise in about twice the working precision
   [[nodiscard]] AnchoredPoint point(double xi) const;
   /// \param xi  place along the side [-]
   /// \return dx/dxi [length], in walking direction
-  [[nodiscard]] Eigen::Vector2d tangent(double xi) const { return slope_ + 2 * xi * bend_; }
+  [[nodiscard]] Eigen::Vector2d tangent(double xi) const {
+    return slope_.rounded + 2 * xi * bend_.rounded;
+  }
   /// \param xi  place along the side [-]
   /// \return unit vector out of the body [-]
   [[nodiscard]] Eigen::Vector2d normal(double xi) const;
@@ -105,7 +110,7 @@ class SideCurve {
   std::vector<Eigen::Index> nodes_;
   Eigen::Vector2d first_, last_;
   AnchoredPoint middle_;
-  Eigen::Vector2d slope_, bend_;  // x = middle + slope xi + bend xi^2
+  ExactWay slope_, bend_;  // x = middle + slope xi + bend xi^2
 };
 
 /// A node on one of its sides.

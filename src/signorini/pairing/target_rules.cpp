@@ -20,6 +20,14 @@ namespace signorini {
 
 using Eigen::Index;
 using Eigen::Vector2d;
+namespace {
+
+/// Where bodies hardly move, a gap is less than the rounding of the sides that it lies between.
+double gap_along(const Projection& place, const AnchoredPoint& x) {
+  return x.way_from(place.point).rounded.dot(place.normal);
+}
+
+}  // namespace
 
 /// Sides are neighbours if one begins at the node where the other ends.
 Index TargetSearch::neighbour(Index number, int end) const {
@@ -127,7 +135,7 @@ Projection TargetSearch::at_vertex(Index number, int end, const Query& query) co
   const bool middle = std::min(std::abs(a - b), std::abs(a + b)) <= query.rounding;
   const double share = middle ? 0.5 : std::clamp(a / (a - b), 0.0, 1.0);
   found.normal = ((1 - share) * one + share * two).normalized();
-  found.gap = arm.dot(found.normal);
+  found.gap = gap_along(found, query.x);
   return found;
 }
 
@@ -139,7 +147,7 @@ Projection TargetSearch::on_side(const Candidate& best, const Query& query) cons
   found.xi = best.xi;
   found.point = side(best.side).point(best.xi);
   found.normal = side(best.side).normal(best.xi);
-  found.gap = (query.x - found.point).dot(found.normal);
+  found.gap = gap_along(found, query.x);
   return found;
 }
 
