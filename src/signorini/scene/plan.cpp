@@ -194,8 +194,7 @@ Plan plan(const Scene& scene) {
   });
   for (const Body& body : scene.bodies) ask_checks(plan.notes, &Check::loads, body);
   if (plan.gaps.A.rows() > 0)
-    plan.on.push_back(
-        text("solver ", plan.solver.name, " on the condensed problem, certified from K, p, A, g"));
+    plan.on.push_back(text("solver ", plan.solver.name, ", certified from K, p, A, g"));
   return plan;
 }
 
