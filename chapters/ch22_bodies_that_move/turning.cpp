@@ -46,7 +46,7 @@ double left_over(const Dragged& block, double angle) {
 SolveStatus chapter(const ProgramOptions& run) {
   Results results("ch22_turning");
   const Dragged small = dragged("small"), green = dragged("st_venant_kirchhoff");
-  Table table({"turn", "strain of the turn", "left over, small strain", "left over, Green's strain"});
+  Table table({"turn", "size of the strain of the turn", "left over, small strain", "left over, Green's strain"});
   double most = 0;
   for (const double angle : {0.0, 1e-3, 1e-2, 0.1, std::acos(0.0)}) {
     const double left = left_over(small, angle), none = left_over(green, angle);
