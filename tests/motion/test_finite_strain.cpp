@@ -405,8 +405,28 @@ TEST_CASE("what a law cannot have is refused with the way out", "[motion]") {
                s.bodies[0].temperature = Temperature{10, {0, 0}};
              }),
              ContainsSubstring("temperature"));
+  const auto in_a_layer = [&](const char* law, const char* of_body) {
+    return message([&](Scene& s) {
+      s.bodies[0].mesh.regions["half"] = {0};
+      Layer layer{"half", s.bodies[0].material};
+      layer.material.law = find_strain_law(law);
+      s.bodies[0].layers = {layer};
+      s.bodies[0].material.law = find_strain_law(of_body);
+      s.bodies[1].material.law = s.bodies[0].material.law;
+    });
+  };
+  CHECK(in_a_layer("st_venant_kirchhoff", "neo_hooke").empty());
+  CHECK_THAT(in_a_layer("small", "neo_hooke"), ContainsSubstring("either all of a body"));
+  CHECK_THAT(in_a_layer("neo_hooke", "small"), ContainsSubstring("either all of a body"));
   CHECK_THAT(problem_message([] { static_cast<void>(find_strain_law("neohooke")); }),
              ContainsSubstring("did you mean") && ContainsSubstring("neo_hooke"));
+  // A layer that differs in nothing but its law is one.
+  Scene layered = rubbing("neo_hooke", 0);
+  layered.bodies[0].mesh.regions["half"] = {0};
+  layered.bodies[0].layers = {{"half", layered.bodies[0].material}};
+  CHECK(plan(layered).bodies[0].material.others.empty());
+  layered.bodies[0].layers[0].material.law = find_strain_law("st_venant_kirchhoff");
+  CHECK(std::string(plan(layered).bodies[0].material.of(0).law->name) == "st_venant_kirchhoff");
   // The usual element of quadrilaterals has internal modes: another one is taken, and told.
   Scene scene = rubbing("neo_hooke", 0);
   for (Body& body : scene.bodies) body.element.clear();

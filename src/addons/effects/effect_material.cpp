@@ -1,11 +1,13 @@
 // Layers and temperature: what assembly and stresses read from the material of a body.
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "addons/effects/layers.hpp"
 #include "addons/effects/thermal.hpp"
 #include "meshes/regions.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/fem/strain_law.hpp"
 #include "signorini/scene/effects.hpp"
 
 namespace signorini::effect {
@@ -13,12 +15,16 @@ namespace {
 
 bool same(const Material& a, const Material& b) {
   return a.youngs_modulus == b.youngs_modulus && a.poisson_ratio == b.poisson_ratio &&
-         a.state == b.state && a.thickness == b.thickness && a.expansion == b.expansion;
+         a.state == b.state && a.thickness == b.thickness && a.expansion == b.expansion && a.law == b.law;
 }
 
 bool has_layers(const Body& body) {
   return std::any_of(body.layers.begin(), body.layers.end(),
                      [&](const Layer& layer) { return !same(layer.material, body.material); });
+}
+
+std::string law_of(const Material& material) {
+  return material.law == nullptr ? "" : text(", law ", material.law->name);
 }
 
 /// Also of a layer that changes nothing: its name may be mistyped.
@@ -36,7 +42,7 @@ void declare_layers(const Scene& scene, Plan& draft) {
       draft.on.push_back(text("layer '", layer.region, "' of '", body.mesh.name,
                               "': ", region(body.mesh, layer.region).size(), " cells, E ",
                               layer.material.youngs_modulus, ", nu ",
-                              layer.material.poisson_ratio));
+                              layer.material.poisson_ratio, law_of(layer.material)));
   }
 }
 

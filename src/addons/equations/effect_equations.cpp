@@ -148,8 +148,10 @@ void declare_equations(const Scene& scene, Plan& draft) {
 }  // namespace
 
 bool any_law(const Scene& scene) {
-  return std::any_of(scene.bodies.begin(), scene.bodies.end(),
-                     [](const Body& body) { return body.material.law != nullptr; });
+  const auto has_law = [](const auto& part) { return part.material.law != nullptr; };
+  return std::any_of(scene.bodies.begin(), scene.bodies.end(), [&](const Body& body) {
+    return has_law(body) || std::any_of(body.layers.begin(), body.layers.end(), has_law);
+  });
 }
 
 bool bodies_move(const Scene& scene) { return scene.moves || any_law(scene); }

@@ -89,7 +89,7 @@ void add_relation(const Relation& relation, std::size_t number, Plan& draft, Equ
 /// \throws ProblemError for numbers that are not finite, and in axial symmetry
 void add_rigid(const RigidSide& rigid, Plan& draft, Equations& all);
 
-/// \param scene  any \return whether any of its bodies has a law of finite strain
+/// \param scene  any \return whether any of its bodies, or of their layers, has a law of finite strain
 [[nodiscard]] bool any_law(const Scene& scene);
 
 /// \param scene  any \return whether its pairs are found where its bodies move to

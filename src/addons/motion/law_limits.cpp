@@ -44,15 +44,17 @@ std::vector<std::string> notes_on_laws(const Model& model, const Solution& solut
     if (body.material.base.law == nullptr) continue;  // and so has no layer, see finite_strain()
     Index lost = 0;
     std::string where;
+    std::string name;  // of the law of the first of them
     visit_cells(body.mesh, body.element, body.material, [&](const Cell& cell) {
       const StrainLaw* law = cell.material.law;
       if (law->stability == nullptr) return;
       if (law->stability(cell, less_shift(cell, solution.displacements[b])) >= 0) return;
-      if (lost++ == 0)
-        where = text("cell ", cell.number, ", at (", cell.body.middle.x(), ", ", cell.body.middle.y(), ") before it moved");
+      if (lost++ > 0) return;
+      name = law->name;
+      where = text("cell ", cell.number, ", at (", cell.body.middle.x(), ", ", cell.body.middle.y(), ") before it moved");
     });
     if (lost > 0)
-      notes.push_back(text("body '", body.mesh.name, "': its law ", body.material.base.law->name,
+      notes.push_back(text("body '", body.mesh.name, "': its law ", name,
                            " has lost its strong ellipticity in ", lost, lost == 1 ? " cell" : " cells", ", as in ", where,
                            ": thin bands give way there by themselves, and finer meshes give other answers; press it less, "
                            "or take neo_hooke"));

@@ -114,7 +114,7 @@ std::string most_shortened(const Model& model) {
         if (left >= least) continue;
         least = left;
         words = text("a side of cell ", cell, " of '", mesh.name, "' (",
-                     body.material.base.law->name, ") is ", left, " of what it was");
+                     body.material.of(cell).law->name, ") is ", left, " of what it was");
       }
   }
   return words;
