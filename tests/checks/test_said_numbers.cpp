@@ -110,6 +110,24 @@ TEST_CASE("gaps and overlaps that cancel are no gaps of nothing", "[said][fit]")
   CHECK(warning().empty());
 }
 
+TEST_CASE("of a press fit the sag is measured by the interference, of adjusted gaps by what adjusts them", "[said][fit]") {
+  Scene scene = doubtful("edges with more sag than clearance");
+  const Model model = built(scene);
+  const auto warning = [&](double interference, double adjust) {
+    scene.contacts[0].interference = interference;
+    scene.contacts[0].adjust = adjust;
+    Pairs pairs = model.pairs;
+    pairs.initial_gap.setConstant(-interference);
+    const std::vector<std::string> all = sag_warning(scene.contacts[0], model.bodies, pairs);
+    return all.empty() ? "" : all[0];
+  };
+  const std::string said = warning(1e-9, 0);
+  const double sag = std::stod(said.substr(said.find("lie up to ") + 10));
+  CHECK_THAT(warning(2 * sag, 0), ContainsSubstring(text("but the interference is ", 2 * sag)));
+  CHECK(warning(30 * sag, 0).empty());
+  CHECK(warning(2 * sag, 1.1 * sag).empty());
+}
+
 TEST_CASE("the corners of a source are counted, not its nodes", "[said]") {
   Scene scene;
   Body& body = scene.bodies[0];
