@@ -73,6 +73,13 @@ TEST_CASE("the plan says which elements are on, and which are too stiff", "[tria
   CHECK_THAT(locking.notes[0], ContainsSubstring("t3 locks for Poisson's ratio 0.49"));
   CHECK(planned("q8", false, PlaneState::Strain, 0.49).notes.empty());
   CHECK(planned("q8", true, PlaneState::Strain, 0.49).notes.empty());
+  // Quadratic cells have right forces there, and stresses that oscillate.
+  for (const bool some : {false, true}) {
+    const Plan rubber = planned("q8", some, PlaneState::Strain, 0.4999);
+    REQUIRE(rubber.notes.size() == 1);
+    CHECK_THAT(rubber.notes[0], ContainsSubstring("oscillate") && ContainsSubstring("q4_bbar"));
+    CHECK(planned("q8", some, PlaneState::Stress, 0.4999).notes.empty());
+  }
 }
 
 // Both have the exact tip deflection in reach; the quadrilaterals that are left do not spoil the triangles.

@@ -33,8 +33,10 @@
 namespace signorini {
 namespace {
 
+using Eigen::Array2d;
 using Eigen::Index;
 using Eigen::Vector2d;
+using Sums = ExactSumOf<Array2d>;  // of x and y
 
 /// (x(xi) - x) . x'(xi) as a polynomial of third degree: negative where the distance falls.
 struct Cubic {
@@ -84,30 +86,18 @@ double rising_root(const Cubic& f, double low, double high) {
 /// The arm grows by a product of which nothing is lost. What the way itself lacks is so small that
 /// its product may be rounded.
 AnchoredPoint AnchoredPoint::moved(double share, const ExactWay& way) const {
-  AnchoredPoint there = *this;
-  for (const Index axis : {0, 1}) {
-    ExactSum arm(arm_(axis), rest_(axis));
-    arm.add_product(share, way.rounded(axis));
-    arm.add(share * way.rest(axis));
-    there.arm_(axis) = arm.high();
-    there.rest_(axis) = arm.low();
-  }
-  return there;
+  Sums arm(arm_, rest_);
+  arm.add_product(Array2d::Constant(share), way.rounded);
+  arm.add(share * way.rest.array());
+  return {anchor_, arm.high(), arm.low()};
 }
 
 /// Anchors first: of two nodes that lie far from the origin and near each other all leading digits
 /// cancel. The arms then cancel most of what is left, and the rests say the last digits of a gap.
 ExactWay AnchoredPoint::way_from(const AnchoredPoint& from) const {
-  ExactWay way;
-  for (const Index axis : {0, 1}) {
-    ExactSum sum(anchor_(axis), rest_(axis) - from.rest_(axis));
-    sum.add(-from.anchor_(axis));
-    sum.add(arm_(axis));
-    sum.add(-from.arm_(axis));
-    way.rounded(axis) = sum.value();
-    way.rest(axis) = (sum.high() - way.rounded(axis)) + sum.low();
-  }
-  return way;
+  Sums way(anchor_, rest_ - from.rest_);
+  for (const Vector2d& part : {Vector2d(-from.anchor_), arm_, Vector2d(-from.arm_)}) way.add(part);
+  return {way.value(), (way.high() - way.value()) + way.low()};
 }
 
 SideShape side_shape(std::size_t n_nodes, double xi) {

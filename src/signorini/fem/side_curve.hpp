@@ -44,6 +44,10 @@ class AnchoredPoint {
   }
 
  private:
+  AnchoredPoint(const Eigen::Vector2d& anchor, const Eigen::Vector2d& arm,
+                const Eigen::Vector2d& rest)
+      : anchor_(anchor), arm_(arm), rest_(rest) {}
+
   Eigen::Vector2d anchor_;
   Eigen::Vector2d arm_ = {0, 0};
   Eigen::Vector2d rest_ = {0, 0};  // what rounding has taken from the arm
