@@ -7,6 +7,7 @@
 #include "catch_compat.hpp"
 #include "papers/solver_table.hpp"
 #include "support/message.hpp"
+#include "support/random.hpp"
 
 using Eigen::Index;
 using Eigen::MatrixXd;
@@ -95,6 +96,25 @@ TEST_CASE("collected programmes reach their published optimum with every sign ri
       if (y(i) > 0) CHECK(std::abs(row(i) - programme.upper(i)) < 1e-13 * size);
       if (y(i) < 0) CHECK(std::abs(row(i) - programme.lower(i)) < 1e-13 * size);
     }
+  }
+}
+
+// Rounded, g g^T has eigenvalues of either sign beside n.
+TEST_CASE("a programme of rank one is convex, whatever rounding says", "[two_sided][random]") {
+  signorini_test::Random random(5);
+  for (int round = 0; round < 40; ++round) {
+    const Index n = 3 + round;
+    const Eigen::VectorXd g = Eigen::VectorXd::NullaryExpr(n, [&] { return random.uniform(-1, 1); });
+    TwoSidedProgramme programme;
+    programme.P = g * g.transpose();
+    programme.q = Eigen::VectorXd::Zero(n);
+    programme.A = Eigen::MatrixXd::Identity(n, n);
+    programme.lower = Eigen::VectorXd::Constant(n, -1);
+    programme.upper = Eigen::VectorXd::Constant(n, 1);
+    CAPTURE(n);
+    CHECK(problem_message([&] { static_cast<void>(one_sided(programme)); }).empty());
+    programme.P -= 1e-9 * Eigen::MatrixXd::Identity(n, n);
+    CHECK_THAT(problem_message([&] { static_cast<void>(one_sided(programme)); }), ContainsSubstring("convex"));
   }
 }
 

@@ -40,7 +40,8 @@ double convexity(const MatrixXd& P, const MatrixXd& E) {
   if (reduced.rows() == 0) return infinite;
   if (!reduced.allFinite()) return unknown;
   const VectorXd values = symmetric_eigenvalues(reduced);
-  const double largest = scaled.cwiseAbs().maxCoeff();
+  // Eigenvalues are rounded by the largest of them, which is no larger than this sum.
+  const double largest = scaled.cwiseAbs().rowwise().sum().maxCoeff();
   return largest == 0 ? 0 : values.minCoeff() / (static_cast<double>(n) * epsilon * largest);
 }
 
