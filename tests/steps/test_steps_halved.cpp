@@ -61,6 +61,10 @@ TEST_CASE("a step without a solution may have one in two halves: the observer se
   REQUIRE(end.status == SolveStatus::Solved);
   CHECK(end.halvings == 1);
   REQUIRE(steps.size() == 3);
+  // What was tried in vain is of the step that came of it.
+  const auto iterations = [&](std::size_t n) { return steps[n].solution.ledger.counted("contact", "iterations"); };
+  CHECK(iterations(1) > steps[1].solution.contact.report.iterations);
+  CHECK(iterations(2) == steps[2].solution.contact.report.iterations);
   const double time[] = {1, 1.5, 2};
   const double pressed[] = {2, 9, 0.3};
   const double shear[] = {0, -1, -0.5};

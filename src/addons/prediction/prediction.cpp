@@ -163,7 +163,9 @@ class Figures {
     add(Frequency::Once, phase, "operations",
         known_.fronts.solve_operations() + known_.paths.operations, of_rows);
     add(Frequency::Once, phase, "bytes", number * rows_ * rows_,
-        few_ ? Certainty::Estimate : Certainty::Exact);
+        few_                   ? Certainty::Estimate
+        : factors_again(plan_) ? Certainty::AtLeast
+                               : Certainty::Exact);
     add(Frequency::Once, phase, "stack bytes", static_cast<double>(known_.paths.bytes()), of_rows);
     const double all =
         1 + static_cast<double>(plan_.parts.size());  // each part of a path has its u0

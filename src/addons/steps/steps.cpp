@@ -179,7 +179,7 @@ Step Walk::taken(double time) {
 
 /// Takes one step, as long as it may be.
 bool Walk::goes(double time) {
-  const Step next = taken(time);
+  Step next = taken(time);
   if (next.solution.contact.report.status == SolveStatus::Solved) {
     end.state = next.state;
     if (observe) observe(model, next);
@@ -188,6 +188,7 @@ bool Walk::goes(double time) {
   if (next.solution.contact.unbounded_direction.size() > 0 && !end.limit && !model.loop)
     end.limit = balanced_until(before, target, model, path.condensed.problem);
   tell(model, next.solution, time, end);
+  ledger = std::move(next.solution.ledger);  // what was spent in vain is of the step that comes of it
   return false;
 }
 
