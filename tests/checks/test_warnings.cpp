@@ -365,10 +365,14 @@ TEST_CASE("a target of mortar that turns away is told, one that turns in and oth
         .notes;
   };
   const std::string low =
-      "[[body]]\nname = \"lo\"\nmesh = { kind = \"block\", size = [2, 1], cells = [5, 3] }\nfixed = \"bottom\"\n";
-  CHECK(tells(notes(low, "\"up.bottom\"", "[\"lo.top\", \"lo.right\"]"),
-              {"the target turns by 90 degrees", "(2, 1)", "operator = \"gauss_points\""}));
-  CHECK_FALSE(tells(notes(low, "\"up.bottom\"", "\"lo.top\""), {"the target turns"}));
-  CHECK_FALSE(tells(notes(low, "\"up.bottom\"", "[\"lo.top\", \"lo.right\"]\noperator = \"gauss_points\""),
+      "[[body]]\nname = \"lo\"\nmesh = { kind = \"ring\", inner_radius = 0.5, outer_radius = 1, cells = [10, 1], "
+      "turn = 18 }\nfixed = \"inner\"\n";
+  CHECK(tells(notes(low, "\"up.bottom\"", "\"lo.outer\""),
+              {"the target turns by 36 degrees", "at 10 nodes", "operator = \"gauss_points\""}));
+  CHECK_FALSE(tells(notes(low, "\"up.bottom\"", "\"lo.outer\"\noperator = \"gauss_points\""),
                     {"the target turns"}));
+  // Corners of more than 45 degrees are ends of the target to mortar.
+  const std::string block =
+      "[[body]]\nname = \"lo\"\nmesh = { kind = \"block\", size = [2, 1], cells = [5, 3] }\nfixed = \"bottom\"\n";
+  CHECK_FALSE(tells(notes(block, "\"up.bottom\"", "[\"lo.top\", \"lo.right\"]"), {"the target turns"}));
 }

@@ -1,8 +1,12 @@
 #include <cmath>
 #include <vector>
 
+#include "addons/files/scene_file.hpp"
 #include "catch_compat.hpp"
+#include "signorini/core/errors.hpp"
 #include "signorini/fem/assembly.hpp"
+#include "signorini/report/pressure_table.hpp"
+#include "signorini/scene/readings.hpp"
 #include "support/facing_blocks.hpp"
 #include "support/message.hpp"
 
@@ -98,4 +102,26 @@ TEST_CASE("the thickness multiplies weights only", "[mortar]") {
   CHECK((more.opening - one.opening).norm() == 0);
   CHECK(more.initial_gap == one.initial_gap);
   CHECK(one.sliding.nonZeros() == 0);
+}
+
+// Where the plate is tilted the sides of the block face it, too, from beside what hangs over.
+TEST_CASE("a plate that lies on a block is pressed as hard whether the sides of the block count or not",
+          "[mortar]") {
+  const double tilt = GENERATE(-1.0, -0.2, 0.2, 1.0);
+  const int cells = GENERATE(3, 5, 7, 24);
+  const auto force = [&](const std::string& target) {
+    const SolvedScene run = solved(
+        parse_scene(text("material = { youngs_modulus = 1000, poisson_ratio = 0.3 }\n[[body]]\nname = \"low\"\n",
+                         "mesh = { kind = \"block\", corner = [-0.5, -1], size = [1, 1], cells = [4, 4] }\n",
+                         "fixed = \"bottom\"\n[[body]]\nname = \"up\"\nmesh = { kind = \"block\", corner = [-1, 0], ",
+                         "size = [2, 1], cells = [", cells, ", 3], turn = ", tilt,
+                         " }\nprescribed = { top = { x = 0, y = -0.01 } }\n[[contact]]\nsource = \"up.bottom\"\ntarget = ",
+                         target, "\n"),
+                    "plate", ".")
+            .scene,
+        "plate");
+    return resultants(run.model, run.solution, {}).force.y();
+  };
+  CAPTURE(tilt, cells);
+  CHECK(force("[\"low.right\", \"low.top\", \"low.left\"]") == Approx(force("\"low.top\"")).epsilon(0.005));
 }

@@ -102,7 +102,8 @@ std::string turn_warning(const std::string& what, const char* which, const Surfa
 }
 
 /// A pair of a source has one normal and one pressure. A mean gap over an edge of which one end hangs over a corner of the target is less
-/// than any gap of that edge, because the weights of mortar are negative at its far end.
+/// than any gap of that edge, because the weights of mortar are negative at its far end. Corners of more than 45 degrees are ends,
+/// see TargetSearch::beyond_corner().
 std::vector<std::string> turn_warnings(const ContactSpec& contact, const std::string& what,
                                        const Surface& source,
                                        const std::vector<BodyModel>& bodies) {
@@ -113,8 +114,12 @@ std::vector<std::string> turn_warnings(const ContactSpec& contact, const std::st
   if (contact.gap_operator != "mortar" || std::holds_alternative<Obstacle>(contact.target))
     return notes;
   const Surface target = surface(bodies, std::get<Side>(contact.target));
+  Turns turns = turns_of(target, true);
+  turns.erase(std::remove_if(turns.begin(), turns.end(),
+                             [](const auto& turn) { return turn.first < std::sqrt(0.5); }),
+              turns.end());
   notes.push_back(turn_warning(
-      what, "target", target, turns_of(target, true),
+      what, "target", target, turns,
       ": an edge of the source that hangs over such a corner closes before it touches. Leave the "
       "sides behind the corner out, take this side as the source, or operator = "
       "\"gauss_points\" where nothing moves"));

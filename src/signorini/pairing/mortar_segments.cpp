@@ -95,7 +95,8 @@ EdgeSamples sample_edge(const SourceEdge& edge, const Interface& interface,
       // over.
       samples.share += at.length * end_shape(s);
       const Projection seen = interface.closest(place, edge.side->normal(xi));
-      if (seen.found) samples.facing.push_back({at, xi, seen});
+      if (seen.found && !interface.search.beyond_corner(seen, edge.side->normal(xi)))
+        samples.facing.push_back({at, xi, seen});
     }
     begin = end;
   }

@@ -14,6 +14,7 @@
 
 #include "signorini/pairing/side_tree.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -36,15 +37,11 @@ SideBox around(const SideBox& one, const SideBox& two) {
   box.highest = one.highest.cwiseMax(two.highest);
   box.slack = std::max(one.slack, two.slack);
   box.axis = one.axis + two.axis;
-  if (box.axis.norm() < 1e-6) {  // opposite normals: nothing can be told
-    box.axis = one.axis;
-    box.spread = pi;
-    return box;
-  }
-  box.axis.normalize();
+  const bool opposite = box.axis.norm() < 1e-6;  // then nothing can be told
+  box.axis = opposite ? one.axis : box.axis.normalized();
   for (const SideBox* child : {&one, &two})
     box.spread = std::max(box.spread, angle_between(box.axis, child->axis) + child->spread);
-  box.spread = std::min(pi, box.spread);
+  box.spread = opposite ? pi : std::min(pi, box.spread);
   return box;
 }
 
@@ -59,13 +56,9 @@ std::size_t build(std::vector<SideBox>& leaves, std::size_t begin, std::size_t e
     boxes.push_back(leaves[begin]);
     return boxes.size() - 1;
   }
-  Vector2d lowest = leaves[begin].lowest;
-  Vector2d highest = leaves[begin].highest;
-  for (std::size_t k = begin + 1; k < end; ++k) {
-    lowest = lowest.cwiseMin(leaves[k].lowest);
-    highest = highest.cwiseMax(leaves[k].highest);
-  }
-  const int axis = highest.x() - lowest.x() >= highest.y() - lowest.y() ? 0 : 1;
+  Eigen::AlignedBox2d all;
+  for (std::size_t k = begin; k < end; ++k) all.extend(leaves[k].lowest).extend(leaves[k].highest);
+  const int axis = all.sizes().x() >= all.sizes().y() ? 0 : 1;
   const std::size_t half = begin + (end - begin) / 2;
   const auto at = [&](std::size_t k) { return leaves.begin() + static_cast<std::ptrdiff_t>(k); };
   std::nth_element(at(begin), at(half), at(end), [axis](const SideBox& a, const SideBox& b) {

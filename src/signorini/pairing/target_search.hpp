@@ -75,6 +75,14 @@ class TargetSearch {
   /// \param normal  of the source there, out of its body, unit vector [-]
   /// \return the place; its normal is that of the side, its gap the distance along that normal
   [[nodiscard]] Projection along(const AnchoredPoint& x, const Eigen::Vector2d& normal) const;
+  /// Whether a place lies beyond a corner at which the target ends for this point: two sides stick out there by more than 45
+  /// degrees, one of them looks towards the source within 50 degrees, and the normal of the place does not. Where a source is tilted
+  /// a little, the far side of a corner faces it; but what hangs over the corner touches the near side alone.
+  /// \param place          that was found for a point
+  /// \param source_normal  there, out of its body, unit vector [-]
+  /// \return whether it lies beyond
+  [[nodiscard]] bool beyond_corner(const Projection& place,
+                                   const Eigen::Vector2d& source_normal) const;
   /// How far the cell behind a side reaches into the body.
   /// \param number  of the side
   /// \return greatest distance of the other corners from the line through its ends [length]
@@ -94,6 +102,8 @@ class TargetSearch {
   [[nodiscard]] bool next_faces(Eigen::Index number, int end, const Query& query) const;
   [[nodiscard]] double projection(Eigen::Index number, const Query& query) const;
   [[nodiscard]] bool resolve_end(Candidate& candidate, const Query& query) const;
+  [[nodiscard]] Projection placed(Eigen::Index number, double xi, const Eigen::Vector2d& normal,
+                                  const Query& query) const;
   [[nodiscard]] Projection at_vertex(Eigen::Index number, int end, const Query& query) const;
   [[nodiscard]] Projection on_side(const Candidate& best, const Query& query) const;
   [[nodiscard]] Projection chosen(Query& query) const;

@@ -55,12 +55,11 @@ std::string note_on_locking(const Mesh& mesh, const Element& element, const Mate
   const auto sentence = [&](const char* what, const char* way_out) {
     return text(what, " for Poisson's ratio ", nu, " in ", to_string(material.state), way_out);
   };
-  const bool linear = mesh.order() == MeshOrder::Linear;
   if (nu > 0.4 && std::string(element.name) == "q4")
     return sentence("q4 locks", " and bears too much load: use q4_bbar or q4_incompatible");
-  if (nu > 0.495 && !linear)
+  if (nu > 0.495 && mesh.order() == MeshOrder::Quadratic)
     return sentence("stresses and pressures of q8 and t6 oscillate", ": use q4_bbar");
-  const Index triangles = linear ? count_triangles(mesh) : 0;
+  const Index triangles = mesh.order() == MeshOrder::Linear ? count_triangles(mesh) : 0;
   if (triangles == 0) return "";
   if (nu > 0.4)
     return sentence("t3 locks", " and bears too much load: use quadrilaterals, or t6 up to 0.495");
