@@ -80,7 +80,7 @@ SolveStatus chapter(const ProgramOptions& run) {
     ++done;
     searches += double(step.solution.ledger.counted("pairs", "searches"));
     path.row({way, force.y(), -force.x()});
-    if (way >= 1 && way <= 3) sum += force;
+    if (way > 1 && way <= 3) sum += force;
     if (done == 8 || done == 20 || done == 38)
       table.row({number(double(done)), number(way, "%.2f"), number(force.y(), "%.4f"),
                  number(-force.x(), "%.4f")});

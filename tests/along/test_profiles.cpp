@@ -67,15 +67,19 @@ TEST_CASE("a profile of points on a line is the half-plane, also beyond its ends
     }
 }
 
-// Closed form: a chord of length h is h^2/8R below its arc, and turns by h/2R; a cubic spline errs by h^4, its normals by h^3.
 TEST_CASE("a gap to a sloping profile has digits of its own", "[profiles][closed-form]") {
   const Obstacle profile = polyline((NodeArray(3, 2) << 0, 0, 3, 1, 9, 3).finished());
-  for (const double x : {0.75, 2.25, 3.75})
+  // One rounding beside a point on a straight stretch.
+  const Obstacle flat = polyline((NodeArray(3, 2) << -1, 0, 0.3, 0, 2, 0).finished());
+  CHECK(flat.look({0.3 + 0x1p-54, 1e-20}).gap == 1e-20);
+  CHECK(flat.look({0.3 + 0x1p-54, -1e-20}).gap == -1e-20);
+  for (const double x : {0.75, 2.25, 3.0, 3.75})
     for (const int rise : {1, -2})
       CHECK(profile.look({x, x / 3 + rise * 0x1p-51}).gap ==
             Approx(rise * 0x1p-51 * 3 / std::sqrt(10)).epsilon(1e-14).margin(0));
 }
 
+// Closed form: a chord of length h is h^2/8R below its arc, and turns by h/2R; a cubic spline errs by h^4, its normals by h^3.
 TEST_CASE("profiles of a circle converge to it: polylines as h^2, splines as h^4",
           "[profiles][closed-form]") {
   const double h = 2 * 2.1 / 40;

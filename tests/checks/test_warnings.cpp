@@ -371,7 +371,7 @@ TEST_CASE("a target of mortar that turns away is told, one that turns in and oth
               {"the target turns by 36 degrees", "at 10 nodes", "operator = \"gauss_points\""}));
   CHECK_FALSE(tells(notes(low, "\"up.bottom\"", "\"lo.outer\"\noperator = \"gauss_points\""),
                     {"the target turns"}));
-  // Corners of more than 45 degrees are ends of the target to mortar.
+  // A right angle is an end of the target to mortar.
   const std::string block =
       "[[body]]\nname = \"lo\"\nmesh = { kind = \"block\", size = [2, 1], cells = [5, 3] }\nfixed = \"bottom\"\n";
   CHECK_FALSE(tells(notes(block, "\"up.bottom\"", "[\"lo.top\", \"lo.right\"]"), {"the target turns"}));

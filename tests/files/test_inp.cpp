@@ -249,10 +249,13 @@ TEST_CASE("a part and the assembly have sets of one name, as CAE makes them", "[
   // What has named the set that gives its name away goes on naming it.
   const InpMeshes later = parse_inp(
       "*NODE\n1,0,0\n2,1,0\n3,1,1\n4,0,1\n5,2,0\n6,2,1\n*ELEMENT,TYPE=CPS4\n1,1,2,3,4\n"
-      "2,2,5,6,3\n*ELSET,ELSET=s\n1\n*SURFACE,NAME=foot\ns,S1\n*PART,NAME=P\n"
+      "2,2,5,6,3\n*ELSET,ELSET=s\n1\n*SURFACE,NAME=foot\ns,S1\n"
+      "*ELSET,ELSET=more\ns\n*SOLID SECTION,ELSET=s\n0.5,\n*PART,NAME=P\n"
       "*ELSET,ELSET=s\n2\n*END PART\n",
       "file");
   CHECK(boundary_nodes(later.meshes.at(0), "foot") == std::vector<Index>{0, 1});
+  CHECK(later.meshes.at(0).n_cells() == 1);  // the section is that of the first element
+  CHECK_THAT(later.notes.back(), ContainsSubstring("section of 'Assembly.s' has the thickness 0.5"));
   // Where a set goes on at its place, it is one.
   const InpMeshes on = parse_inp(square + "*NSET,NSET=a\n1\n*NSET,NSET=A\n2\n", "file");
   CHECK(boundary_nodes(on.meshes[0], "a") == std::vector<Index>{0, 1});

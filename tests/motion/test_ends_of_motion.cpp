@@ -233,7 +233,7 @@ TEST_CASE("a ring slides along its shaft by the arc, and not by the sine of it",
   }
 }
 
-// A block that hardly moves: its gaps are 1e-12 of what it moves by, and that is far less than the rounding of its sides.
+// A block that hardly moves: its gaps are 1e-12 of what it moves by, so they are far less than the rounding of its sides.
 TEST_CASE("a stiff block rests on a slope, and bears its weight there", "[motion][friction]") {
   const double modulus = GENERATE(1e3, 1e5, 1e7, 1e9, 1e11);
   const std::string target = GENERATE(as<std::string>(), "\"ramp.top\"",

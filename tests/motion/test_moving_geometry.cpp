@@ -251,6 +251,11 @@ TEST_CASE("friction remembers along the surface what slid where nodes lose their
   CHECK(left > 0);
   REQUIRE(end.state.dissipated_elsewhere.size() == 1);
   CHECK(end.state.dissipated_elsewhere(0) > 0);
+  PathState two = end.state;  // of two contacts
+  two.dissipated_elsewhere = Eigen::Vector2d(0.25, 1.0 / 3);
+  std::ostringstream of_two;
+  write_state(two, of_two);
+  CHECK(read_state(of_two.str(), "saved").dissipated_elsewhere == two.dissipated_elsewhere);
   std::ostringstream out;
   write_state(end.state, out);
   const PathState again = read_state(out.str(), "saved");

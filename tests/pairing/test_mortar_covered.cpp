@@ -108,13 +108,14 @@ TEST_CASE("the thickness multiplies weights only", "[mortar]") {
 TEST_CASE("a plate that lies on a block is pressed as hard whether the sides of the block count or not",
           "[mortar]") {
   const double tilt = GENERATE(-1.0, -0.2, 0.2, 1.0);
-  const int cells = GENERATE(3, 5, 7, 24);
+  const int cells = GENERATE(6, 10, 14, 48);
+  const int flank = GENERATE(4, 64);  // cells of a side of the block
   const auto force = [&](const std::string& target) {
     const SolvedScene run = solved(
         parse_scene(text("material = { youngs_modulus = 1000, poisson_ratio = 0.3 }\n[[body]]\nname = \"low\"\n",
-                         "mesh = { kind = \"block\", corner = [-0.5, -1], size = [1, 1], cells = [4, 4] }\n",
-                         "fixed = \"bottom\"\n[[body]]\nname = \"up\"\nmesh = { kind = \"block\", corner = [-1, 0], ",
-                         "size = [2, 1], cells = [", cells, ", 3], turn = ", tilt,
+                         "mesh = { kind = \"block\", corner = [-0.5, -1], size = [1, 1], cells = [4, ", flank, "] }\n",
+                         "fixed = \"bottom\"\n[[body]]\nname = \"up\"\nmesh = { kind = \"block\", corner = [-2, 0], ",
+                         "size = [4, 2], cells = [", cells, ", 3], turn = ", tilt,
                          " }\nprescribed = { top = { x = 0, y = -0.01 } }\n[[contact]]\nsource = \"up.bottom\"\ntarget = ",
                          target, "\n"),
                     "plate", ".")
@@ -122,6 +123,27 @@ TEST_CASE("a plate that lies on a block is pressed as hard whether the sides of 
         "plate");
     return resultants(run.model, run.solution, {}).force.y();
   };
-  CAPTURE(tilt, cells);
+  CAPTURE(tilt, cells, flank);
   CHECK(force("[\"low.right\", \"low.top\", \"low.left\"]") == Approx(force("\"low.top\"")).epsilon(0.005));
+}
+
+// A right angle that points at a soft block is no end: both of its flanks are touched, however it is turned.
+TEST_CASE("a soft block on a wedge bears on both of its flanks", "[mortar]") {
+  const double turn = GENERATE(25.0, 38.0, 39.8, 40.2, 45.0, 52.0);
+  const auto force = [&](const std::string& with) {
+    const SolvedScene run = solved(
+        parse_scene(text("[[body]]\nname = \"low\"\nmesh = { kind = \"block\", corner = [-2, -2], size = [2, 2], ",
+                         "cells = [16, 16], turn = ", turn, " }\nmaterial = { youngs_modulus = 1e5, poisson_ratio = 0.3 }\n",
+                         "fixed = [\"left\", \"bottom\"]\n[[body]]\nname = \"up\"\nmesh = { kind = \"block\", ",
+                         "corner = [-1, 0], size = [2, 1], cells = [32, 16] }\nmaterial = { youngs_modulus = 100, ",
+                         "poisson_ratio = 0.3 }\nprescribed = { top = { x = 0, y = -0.2 } }\n[[contact]]\n",
+                         "source = \"up.bottom\"\ntarget = [\"low.right\", \"low.top\"]\n", with),
+                    "wedge", ".")
+            .scene,
+        "wedge");
+    return resultants(run.model, run.solution, {}).force;
+  };
+  CAPTURE(turn);
+  const Vector2d others = force("operator = \"node_to_segment\"\n");
+  CHECK((force("") - others).norm() < 0.1 * others.norm());
 }

@@ -94,7 +94,8 @@ class Chords {
     // At a corner: which side of it the point is on says the mean of both normals.
     const Vector2d way = x - from(behind);
     const double side = way.dot(normal(before) + normal(behind)) < 0 ? -1 : 1;
-    return {side * way.norm(), at_corner(side * way, normal(before), normal(behind))};
+    const Vector2d there = at_corner(side * way, normal(before), normal(behind));
+    return {way.dot(there), there};
   }
 
  private:

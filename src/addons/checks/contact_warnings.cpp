@@ -13,6 +13,7 @@
 #include "signorini/fem/assembly.hpp"
 #include "signorini/fem/far.hpp"
 #include "signorini/fem/side_curve.hpp"
+#include "signorini/pairing/target_search.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/contact_input.hpp"
 
@@ -102,8 +103,8 @@ std::string turn_warning(const std::string& what, const char* which, const Surfa
 }
 
 /// A pair of a source has one normal and one pressure. A mean gap over an edge of which one end hangs over a corner of the target is less
-/// than any gap of that edge, because the weights of mortar are negative at its far end. Corners of more than 45 degrees are ends,
-/// see TargetSearch::beyond_corner().
+/// than any gap of that edge, because the weights of mortar are negative at its far end. Corners of nearly a right angle and more are
+/// ends for a source that looks at one of their sides, see TargetSearch::beyond_corner().
 std::vector<std::string> turn_warnings(const ContactSpec& contact, const std::string& what,
                                        const Surface& source,
                                        const std::vector<BodyModel>& bodies) {
@@ -115,9 +116,8 @@ std::vector<std::string> turn_warnings(const ContactSpec& contact, const std::st
     return notes;
   const Surface target = surface(bodies, std::get<Side>(contact.target));
   Turns turns = turns_of(target, true);
-  turns.erase(std::remove_if(turns.begin(), turns.end(),
-                             [](const auto& turn) { return turn.first < std::sqrt(0.5); }),
-              turns.end());
+  const auto ends_target = [](const auto& turn) { return turn.first < grazing_cosine; };
+  turns.erase(std::remove_if(turns.begin(), turns.end(), ends_target), turns.end());
   notes.push_back(turn_warning(
       what, "target", target, turns,
       ": an edge of the source that hangs over such a corner closes before it touches. Leave the "

@@ -39,7 +39,7 @@ class Sags {
     const Vector2d chord = side.point(1) - side.point(-1);
     const Vector2d other = next.point(1) - next.point(-1);
     const double angle = angle_between(chord, other);
-    if (angle > std::atan(1.0)) return;  // an edge, as for TargetSearch
+    if (std::cos(angle) < corner_cosine) return;
     double& sag = sag_[static_cast<std::size_t>(number)];
     sag = std::max(sag, chord.norm() * angle / 8);
   }
@@ -77,18 +77,21 @@ std::vector<std::string> sag_warning(const ContactSpec& contact,
     const Projection place = search.closest(source.mesh.nodes.row(number).transpose(), node.normal);
     if (place.found) most = std::max(most, sags.at(place));
   }
-  // Of an interference a third of the sag is missing: with this share of it some two percent.
+  // An interference lacks about a third of the sag. A sag of this share changes pressures by some two percent.
   constexpr double much = 0.05;
-  const double interference = contact.interference.value_or(0);
   const double mean = pairs.initial_gap.cwiseAbs().mean();
-  const double meant = interference > 0 ? much * interference : mean;
+  const double interference = contact.interference.value_or(0);
+  const bool press_fit = interference > 0 && mean < 2 * interference;
+  const double meant = press_fit ? much * interference : mean;
   if (most <= std::max({meant, contact.adjust.value_or(0), gap_rounding(pairs)})) return {};
   return {
       text(describe(bodies, contact), ": the straight edges of the target lie up to ", most,
            " within the curve that they stand for, but the ",
-           interference > 0 ? "interference is " : "mean gap is ", interference > 0 ? interference : mean,
-           ". So the meshes, not the bodies, say where they touch: let both sides have the same "
-           "nodes, take finer edges or quadratic cells, or adjust gaps by the sag")};
+           press_fit ? "interference is " : "mean gap is ", press_fit ? interference : mean,
+           press_fit ? ". So pressures are those of a looser fit"
+                     : ". So the meshes, not the bodies, say where they touch",
+           ": let both sides have the same nodes, take finer edges or quadratic cells, "
+           "or adjust gaps by the sag")};
 }
 
 std::vector<std::string> closed_gap_warnings(const Model& model, const Solution& solution) {

@@ -41,7 +41,7 @@ std::vector<std::string> notes_on_laws(const Model& model, const Solution& solut
   std::vector<std::string> notes;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const BodyModel& body = model.bodies[b];
-    if (body.material.base.law == nullptr) continue;  // and so has no layer, see finite_strain()
+    if (body.material.base.law == nullptr) continue;  // and so no layer has a law, see finite_strain()
     Index lost = 0;
     std::string where;
     std::string name;  // of the law of the first of them

@@ -48,7 +48,8 @@ void check_sizes(const PathState& state, const Model& model) {
       (solution.rigid.size() == 0 || solution.rigid.size() == n) &&
       (state.way.size() == 0 || state.way.size() == n) &&
       solution.force.size() == pairs + slips &&
-      state.dissipated_elsewhere.size() <= static_cast<Index>(model.contacts.size());
+      (state.dissipated_elsewhere.size() == 0 ||
+       state.dissipated_elsewhere.size() == static_cast<Index>(model.contacts.size()));
   require_input(fits, "the state at time ", state.time, " is of another scene: it has ",
                 solution.displacement.size(), " unknowns, ", state.contact_status.size(),
                 " pairs and ", state.slip.size(), " slips, but this one ", n, ", ", pairs, " and ",

@@ -2,7 +2,7 @@
 //
 // Pairs of such a step are those of the place where it ends. So what a pair knows, its slip and the work that it dissipated,
 // goes by contact and node from the old pairs to the new ones. What a node dissipated that has no pair any more is kept in
-// one sum.
+// a sum for each contact.
 //
 // Such a step is a loop, and it takes fewer iterations if it begins near its end. If loads go on as they did, so do bodies:
 // the loop begins where the way of the step before leads on. The first step behind a turn of the loads is not gone on with: bodies

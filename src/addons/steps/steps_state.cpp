@@ -79,7 +79,7 @@ void read_rest(TextReader& reader, bool marked, PathState& state) {
     word = next();
   }
   if (word == elsewhere) {
-    std::vector<double> each = {reader.number(reader.word(), elsewhere)};  // contact; older files have the sum of all
+    std::vector<double> each = {reader.number(reader.word(), elsewhere)};
     for (word = reader.word(); !word.empty(); word = reader.word())
       each.push_back(reader.number(word, elsewhere));
     state.dissipated_elsewhere =

@@ -122,8 +122,8 @@ SideCurve::SideCurve(const Mesh& mesh, const CellSide& side)
 }
 
 /// Ends are the nodes to the last bit: two sides that meet agree on where. In between
-/// \f$ s + \xi b \f$ is a way of its own, from no particular point, and \f$ \xi \f$ times it leads from
-/// the middle to the place. On a straight line b is nothing, and one product is enough.
+/// \f$ w = s + \xi b \f$ is computed first, and the place is the middle moved by \f$ \xi w \f$. On a
+/// straight line b is nothing, and one product is enough.
 AnchoredPoint SideCurve::point(double xi) const {
   if (xi == -1) return first_;
   if (xi == 1) return last_;

@@ -34,7 +34,7 @@ class AnchoredPoint {
   AnchoredPoint(double x, double y) : anchor_(x, y) {}
   /// \return where it is, rounded [length]
   [[nodiscard]] Eigen::Vector2d position() const { return anchor_ + arm_; }
-  /// \param share  how much of a way [-] \param way  from here \return the point there, to the last digit but one of two doubles
+  /// \param share  how much of a way [-] \param way  from here \return the point there, in about twice the working precision
   [[nodiscard]] AnchoredPoint moved(double share, const ExactWay& way) const;
   /// \param from  another point \return the way from there to here
   [[nodiscard]] ExactWay way_from(const AnchoredPoint& from) const;

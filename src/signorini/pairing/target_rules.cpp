@@ -35,11 +35,9 @@ Vector2d TargetSearch::normal_beyond(Index number, int end) const {
   const Index other = neighbour(number, -end);
   if (other < 0) return here;
   // From one normal to the other the boundary turns at the far end of the side; as far again.
-  const Vector2d a = side(other).normal(end);
-  const Vector2d b = side(number).normal(-end);
-  const double cosine = a.dot(b);
-  const double sine = cross(a, b);
-  if (cosine < std::sqrt(0.5)) return here;  // an edge, not a curve in sides
+  const Vector2d a = side(other).normal(end), b = side(number).normal(-end);
+  const double cosine = a.dot(b), sine = cross(a, b);
+  if (cosine < corner_cosine) return here;  // an edge, not a curve in sides
   return {cosine * here.x() - sine * here.y(), sine * here.x() + cosine * here.y()};
 }
 
@@ -72,12 +70,10 @@ bool TargetSearch::resolve_end(Candidate& candidate, const Query& query) const {
     candidate.vertex = end;
     return projection(neighbour(candidate.side, end), query) == -end;  // else it is nearer
   }
-  const Vector2d beyond = normal_beyond(candidate.side, end);
-  const Vector2d outwards = end * Vector2d(-beyond.y(), beyond.x());
   const double xi = curve.continued(query.x, end);
   if (std::abs(xi) <= 1 + end_tolerance)
     candidate.xi = xi;
-  else if ((query.x - curve.point(end)).dot(outwards) <= 0)
+  else if (end * cross(normal_beyond(candidate.side, end), query.x - curve.point(end)) <= 0)
     candidate.vertex = end;
   else
     return false;
@@ -105,12 +101,7 @@ void TargetSearch::consider(Index number, Query& query) const {
 /// Where bodies hardly move, a gap is less than the rounding of the sides that it lies between.
 Projection TargetSearch::placed(Index number, double xi, const Vector2d& normal,
                                 const Query& query) const {
-  Projection found;
-  found.found = true;
-  found.side = number;
-  found.xi = xi;
-  found.point = side(number).point(xi);
-  found.normal = normal;
+  Projection found{true, number, -1, xi, side(number).point(xi), normal};
   found.gap = query.x.way_from(found.point).rounded.dot(normal);
   return found;
 }
@@ -125,8 +116,7 @@ Projection TargetSearch::at_vertex(Index number, int end, const Query& query) co
   const Vector2d arm = query.x - side(number).point(end);
   const Vector2d one = side(number).normal(end);
   const Vector2d two = between ? side(next).normal(-end) : normal_beyond(number, end);
-  const double a = cross(arm, one);
-  const double b = cross(arm, two);
+  const double a = cross(arm, one), b = cross(arm, two);
   // The share of the second normal in the one along the arm. An arm that rounding cannot tell from
   // the middle has half: the direction of a short one is mostly rounding, which would hold a ring
   // that turns in another.
@@ -180,19 +170,29 @@ Projection TargetSearch::chosen(Query& query) const {
 /// side of the block then faces the plate, and the nearest place of what hangs over is the edge, at
 /// a distance along the plate. Such distances say nothing of overlap. In the mean of an edge they
 /// would count, with weights that are negative at its other end: with edges of 0.67 on a block of
-/// width 1 the plate would be pressed with 26.3 in the place of 7.1. So a corner is an end for what
-/// looks at one of its sides within 50 degrees, and at the other one not. That is no angle that bodies
-/// are drawn with: both flanks of a right angle that points at the source are looked at.
+/// width 1 the plate would be pressed with 26.3 in the place of 7.1.
+///
+/// So a tilt of less than 10 degrees does not make a side behind a corner one that is faced, for
+/// points that hang over, and do not lie deeper than the cell at the edge: a tooth in the middle of
+/// the block looks at its sides, too, and is no such point. Places whose line to the corner leans by less than 50 degrees are left.
 bool TargetSearch::beyond_corner(const Projection& place, const Vector2d& source_normal) const {
-  const double corner_cosine = std::sqrt(0.5) - 1e-6;  // rounding makes no corner of a chamfer
-  const auto looks_there = [&](const Vector2d& n) { return n.dot(source_normal) < -0.643; };
-  for (const int end : {-1, 1}) {
-    const Index other = neighbour(place.side, end);
-    const Vector2d here = side(place.side).normal(end);
-    const Vector2d there = other < 0 ? here : side(other).normal(-end);
-    const bool corner = here.dot(there) < corner_cosine && end * cross(here, there) > 0;
-    if (corner && (looks_there(here) || looks_there(there))) return !looks_there(place.normal);
-  }
+  const auto off = [&](const Vector2d& normal) { return -normal.dot(source_normal); };
+  if (off(place.normal) > 0.643) return false;
+  for (const int end : {-1, 1})
+    for (Index here = place.side, next = neighbour(here, end); next >= 0;
+         next = neighbour(here = next, end)) {
+      const Vector2d one = side(here).normal(end), two = side(next).normal(-end);
+      if (one.dot(two) < corner_cosine && end * cross(one, two) > 0) {
+        const Vector2d arm = place.gap * place.normal + (place.point - side(here).point(end));
+        const bool first = off(one) > off(two);
+        const double above = (first ? one : two).dot(arm) + depth(first ? here : next);
+        if (std::max(off(one), off(two)) > 0.643 && std::min(off(one), off(two)) < grazing_cosine &&
+            above > -grazing_cosine * arm.norm())
+          return true;
+        break;
+      }
+      if (next == place.side) break;
+    }
   return false;
 }
 

@@ -35,6 +35,12 @@ struct Projection {
 /// so that the force still acts along the line between the two points.
 inline constexpr double end_tolerance = 2e-6;
 
+/// Sides that turn by more than 45 degrees meet at a corner of the body; rounding makes none of a chamfer. The cosine [-].
+inline constexpr double corner_cosine = 0.7071;
+
+/// A side behind a corner whose normal is within 10 degrees of a right angle to that of the source faces it by a tilt. The cosine [-].
+inline constexpr double grazing_cosine = 0.174;
+
 /// Sides of one boundary in a tree of boxes.
 ///
 /// A place of the target faces a point of the source if the normals there are more than 90 degrees
@@ -75,10 +81,10 @@ class TargetSearch {
   /// \param normal  of the source there, out of its body, unit vector [-]
   /// \return the place; its normal is that of the side, its gap the distance along that normal
   [[nodiscard]] Projection along(const AnchoredPoint& x, const Eigen::Vector2d& normal) const;
-  /// Whether a place lies beyond a corner at which the target ends for this point: two sides stick out there by more than 45
-  /// degrees, one of them looks towards the source within 50 degrees, and the normal of the place does not. Where a source is tilted
-  /// a little, the far side of a corner faces it; but what hangs over the corner touches the near side alone.
-  /// \param place          that was found for a point
+  /// Whether a place lies beyond a corner at which the target ends for a point: of the two sides that stick out there one looks
+  /// towards the source within 50 degrees, the other stands at a right angle to it up to grazing_cosine, the point lies beside the first one, up to
+  /// the same angle and the depth of its cell, and the normal of the place does not look there. What hangs over such a corner touches the first side alone.
+  /// \param place          that was found for the point, on the other side or at the corner
   /// \param source_normal  there, out of its body, unit vector [-]
   /// \return whether it lies beyond
   [[nodiscard]] bool beyond_corner(const Projection& place,

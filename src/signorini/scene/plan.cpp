@@ -47,8 +47,8 @@ std::string elements_in_words(const Mesh& mesh, const Element& element) {
 // What to know of an element that is stiffer than the body; empty if there is none. A body
 // resists a change of volume \f$ 2(1 + \nu) / (3(1 - 2\nu)) \f$ times as much as a change of
 // shape: 2.2 times for \f$ \nu = 0.3 \f$, 50 times for 0.49. Cells that cannot keep their
-// volume when they bend are then far too stiff. Quadratic cells move as they should a little
-// longer, but the mean stress in them jumps from point to point: in a tube by 3 % of its
+// volume when they bend are then far too stiff. The displacements of quadratic cells are
+// still right there, but the mean stress in them jumps from point to point: in a tube by 3 % of its
 // pressure for 0.49, by half of it for 0.499.
 std::string note_on_locking(const Mesh& mesh, const Element& element, const Material& material) {
   const double nu = material.state == PlaneState::Stress ? 0 : material.poisson_ratio;
