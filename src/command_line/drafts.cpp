@@ -127,7 +127,7 @@ fs::path Drafts::begin(const std::string& file) {
     entry->lock = std::make_unique<FileLock>(entry->place);
   }
   entry->draft = unused(entry->place);
-  // What replaces a file is for nobody's eyes until it has the mode of that file.
+  // Others may not read what replaces a file before it has the mode of that file.
   std::error_code unseen;
   if (fs::exists(entry->place, unseen))
     close(open(entry->draft.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, S_IRUSR | S_IWUSR));

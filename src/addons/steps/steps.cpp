@@ -188,7 +188,7 @@ bool Walk::goes(double time) {
   if (next.solution.contact.unbounded_direction.size() > 0 && !end.limit && !model.loop)
     end.limit = balanced_until(before, target, model, path.condensed.problem);
   tell(model, next.solution, time, end);
-  ledger = std::move(next.solution.ledger);  // what was spent in vain, unless it was refused
+  ledger = std::move(next.solution.ledger);  // counts in the step that comes of the halves
   return false;
 }
 

@@ -172,9 +172,10 @@ Projection TargetSearch::chosen(Query& query) const {
 /// would count, with weights that are negative at its other end: with edges of 0.67 on a block of
 /// width 1 the plate would be pressed with 26.3 in the place of 7.1.
 ///
-/// So a tilt of less than 10 degrees does not make a side behind a corner one that is faced, for
-/// points that hang over, and do not lie deeper than the cell at the edge: a tooth in the middle of
-/// the block looks at its sides, too, and is no such point. Places whose line to the corner leans by less than 50 degrees are left.
+/// So a point that hangs over does not face the side behind the corner if it does so only by a tilt
+/// of less than 10 degrees. A point hangs over if it lies above the near side, or no deeper below it
+/// than the cell there. A tooth in the middle of the block lies deeper, though it looks at the side
+/// of the block as well. Places at the corner are left if their normal leans by less than 50 degrees.
 bool TargetSearch::beyond_corner(const Projection& place, const Vector2d& source_normal) const {
   const auto off = [&](const Vector2d& normal) { return -normal.dot(source_normal); };
   if (off(place.normal) > 0.643) return false;

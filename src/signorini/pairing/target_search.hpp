@@ -35,10 +35,11 @@ struct Projection {
 /// so that the force still acts along the line between the two points.
 inline constexpr double end_tolerance = 2e-6;
 
-/// Sides that turn by more than 45 degrees meet at a corner of the body; rounding makes none of a chamfer. The cosine [-].
+/// Cosine of the turn from which on two sides meet at a corner of the body [-]: a little more than 45 degrees, so that rounding does
+/// not decide about the chamfer of a right angle.
 inline constexpr double corner_cosine = 0.7071;
 
-/// A side behind a corner whose normal is within 10 degrees of a right angle to that of the source faces it by a tilt. The cosine [-].
+/// Cosine of 80 degrees [-]. A side whose normal is farther than that from pointing at the source faces it by a tilt only.
 inline constexpr double grazing_cosine = 0.174;
 
 /// Sides of one boundary in a tree of boxes.
@@ -81,9 +82,9 @@ class TargetSearch {
   /// \param normal  of the source there, out of its body, unit vector [-]
   /// \return the place; its normal is that of the side, its gap the distance along that normal
   [[nodiscard]] Projection along(const AnchoredPoint& x, const Eigen::Vector2d& normal) const;
-  /// Whether a place lies beyond a corner at which the target ends for a point: of the two sides that stick out there one looks
-  /// towards the source within 50 degrees, the other stands at a right angle to it up to grazing_cosine, the point lies beside the first one, up to
-  /// the same angle and the depth of its cell, and the normal of the place does not look there. What hangs over such a corner touches the first side alone.
+  /// Whether a place lies beyond a corner that ends the target for a point. Two sides stick out at the corner. The near one points at
+  /// the source within 50 degrees, the far one by less than grazing_cosine. The normal of the place does not point at the source
+  /// within 50 degrees, and the point hangs over: it lies above the near side, or no deeper below it than the cell there.
   /// \param place          that was found for the point, on the other side or at the corner
   /// \param source_normal  there, out of its body, unit vector [-]
   /// \return whether it lies beyond
