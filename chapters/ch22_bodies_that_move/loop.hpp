@@ -81,8 +81,7 @@ inline Pairs pairs_at(const Assembled& bodies, const NodeArray& u, const NodeArr
 inline Gaps gaps_at(const Assembled& bodies, const NodeArray& u, const NodeArray& before) {
   const BodyModel& tool = bodies.model.bodies[1];
   return reduce(pairs_at(bodies, u, before),
-                {tool.mesh, bodies.of.source_of_tool, tool.first_node}, bodies.model.unknowns,
-                "the tool on the base");
+                {tool.mesh, bodies.of.source_of_tool, tool.first_node}, bodies.model.unknowns);
 }
 
 /// What stresses leave out of balance: minus the internal forces of linear elasticity.

@@ -11,9 +11,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 using Matrix = Eigen::SparseMatrix<double>;
 
 /// A sparse matrix as CHOLMOD sees it, without a copy. \param symmetry  -1: of which it reads the lower triangle

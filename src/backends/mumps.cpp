@@ -12,9 +12,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 using over_mpi::Processes;
 
 /// Lets all processes forget their parts of the factor when nobody needs it any more, unless there is a newer one.

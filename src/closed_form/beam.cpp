@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "signorini/core/bisection.hpp"
 #include "signorini/core/errors.hpp"
-#include "signorini/core/rounding.hpp"
 
 namespace signorini {
 namespace {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "signorini/core/bisection.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
 

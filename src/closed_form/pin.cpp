@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "signorini/core/bisection.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
 

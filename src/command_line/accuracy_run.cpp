@@ -71,7 +71,7 @@ AccuracyRun understood(const AccuracyWish& wish, const SceneRun& run) {
                              Ledger ledger) {
     return solve_to_limit(scene, model, condensed, std::move(ledger));
   };
-  accuracy.wanted.doubts = point_supports;
+  accuracy.wanted.warnings = point_supports;
   if (!wish.unknowns.empty()) {
     const std::optional<double> most = positive(wish.unknowns);
     require_input(most.has_value(), "--unknowns: expected a number above 0, got ",
@@ -167,7 +167,7 @@ void print_verdict(std::ostream& out, const AccuracyRun& accuracy) {
     out << "  to come: " << by_value(last.to_come, last.value)
         << " (used); if answers go on from mesh to mesh as the last two did\n";
   if (last.model_error > 0)
-    out << "  misfit: " << by_value(last.model_error, last.value)
+    out << "  model error: " << by_value(last.model_error, last.value)
         << "; between ellipses fitted to different parts of the pressure\n";
   for (const BudgetLine& line : accuracy.budget)
     out << "  " << line.source << ": "
@@ -194,8 +194,8 @@ void write(Json& json, const AccuracyRun& accuracy) {
       json.key("reading").value(round.parts.quadrature_error);
       json.key("free_boundary").value(round.parts.free_boundary);
       json.key("outline").value(round.parts.outline);
-      json.key("overlooked").value(round.saturation).key("to_come").value(round.to_come);
-      json.key("misfit").value(round.model_error);
+      json.key("saturation").value(round.saturation).key("to_come").value(round.to_come);
+      json.key("model_error").value(round.model_error);
       json.key("algebraic").value(round.algebraic);
     }
     json.key("seconds").value(round.seconds).key("estimating").value(round.estimating).end();

@@ -13,8 +13,7 @@ namespace command_line {
 namespace {
 
 using namespace signorini;
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 /// Largest differences between accepted outcomes, over the largest numbers [-].
 struct Agreement {

@@ -263,6 +263,7 @@ void PathTeller::keep_notes(const Step& step) {
     if (known == notes_.end()) {
       notes_.push_back({kind, note, first, now, now, step.state.steps, 1});
     } else {
+      known->note = note;
       known->last = now;
       ++known->steps;
       known->gone = known->gone || step.state.steps != known->last_step + 1;

@@ -74,7 +74,7 @@ class PathTeller {
   /// What was noted in some steps. Notes that differ in numbers only are one.
   struct TimedNote {
     std::string kind;      // the note without numbers
-    std::string note;      // as it was first
+    std::string note;      // as it was last
     bool in_head = false;  // whether the first step has it
     double first = 0;      // time
     double last = 0;       // time

@@ -12,6 +12,7 @@
 #include "signorini/core/errors.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/fem/stress.hpp"
+#include "signorini/fem/von_mises.hpp"
 
 namespace command_line {
 namespace {

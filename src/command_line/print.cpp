@@ -16,8 +16,7 @@ namespace command_line {
 namespace {
 
 using namespace signorini;
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 std::string as_text(double value) { return std::isfinite(value) ? shortest(value) : "-"; }
 
@@ -108,10 +107,10 @@ void print_motions(std::ostream& out, const std::vector<ContactStatus>& statuses
 /// What speaks for other solutions.
 void print_uniqueness_warning(std::ostream& out, const Outcome& outcome) {
   out << "there are other solutions: the determinant of ";
-  if (outcome.uniqueness_warning.pair < 0)
-    out << "the pairs that slide";
+  if (const auto pair = outcome.uniqueness_warning.pair)
+    out << "pair " << *pair + 1;  // as the table counts
   else
-    out << "pair " << outcome.uniqueness_warning.pair + 1;  // as the table counts
+    out << "the pairs that slide";
   out << ", 1 without friction, is " << number(outcome.uniqueness_warning.determinant, "%.6g")
       << '\n';
 }
@@ -125,8 +124,9 @@ void write_uniqueness(Json& json, const Outcome& outcome) {
              : outcome.uniqueness == Uniqueness::Proved ? "proved"
                                                         : "unknown");
   if (!doubtful) return;
-  json.key("doubt").object().key("pair").value(outcome.uniqueness_warning.pair + 1);
-  json.key("determinant").value(outcome.uniqueness_warning.determinant).end();
+  const UniquenessWarning& warning = outcome.uniqueness_warning;
+  json.key("uniqueness_warning").object().key("pair").value(warning.pair ? *warning.pair + 1 : 0);
+  json.key("determinant").value(warning.determinant).end();
 }
 
 /// The solvers and the verdict. \param solution  adds what an accepted solution consists of
@@ -150,7 +150,7 @@ void write_outcomes(Json& json, const std::vector<Outcome>& outcomes, bool solve
 }
 
 /// Of the documents. It grows by 1 when a member goes, or means something else; not when one is added.
-constexpr Index format_version = 1;
+constexpr Index format_version = 2;
 
 }  // namespace
 

@@ -8,6 +8,7 @@
 #include "command_line/probe_print.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/fem/stress.hpp"
+#include "signorini/fem/von_mises.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/readings.hpp"
 

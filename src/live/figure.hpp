@@ -15,9 +15,7 @@
 /// Live figures of the book.
 namespace live {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 /// Something that the reader may change: a slider, or a list if it has choices. Its value is then the number of
 /// the choice, from 0.

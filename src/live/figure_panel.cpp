@@ -5,6 +5,7 @@
 
 #include "live/figure.hpp"
 #include "signorini/fem/stress.hpp"
+#include "signorini/fem/von_mises.hpp"
 
 namespace live {
 

@@ -14,6 +14,7 @@
 #include <cmath>
 
 #include "meshes/lattice.hpp"
+#include "signorini/core/bisection.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
 

@@ -9,8 +9,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::Vector2d;
+using Eigen::Index, Eigen::Vector2d;
 
 void check(const PressedDiscSpec& spec) {
   require_argument(spec.radius > 0 && std::isfinite(spec.radius) && spec.pole.allFinite(),

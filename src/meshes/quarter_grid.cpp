@@ -9,8 +9,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::RowVector2d;
+using Eigen::Index, Eigen::RowVector2d;
 
 /// Image of (p, q) of the unit square on the line around a layer, the more an ellipse the rounder.
 RowVector2d placed(const QuarterGrid& grid, Index layer, double p, double q) {

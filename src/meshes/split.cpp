@@ -9,8 +9,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::RowVector2d;
+using Eigen::Index, Eigen::RowVector2d;
 
 /// What becomes of a cell.
 struct Piece {

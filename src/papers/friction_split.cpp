@@ -37,9 +37,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 /// What is taken off the diagonal of u+ and u-. An entry of a regular Jacobian loses no digit that a
 /// Newton step needs; where both entries vanish, 1e-10 still leaves six digits of their difference.

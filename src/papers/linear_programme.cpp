@@ -20,8 +20,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 // Pivots until no artificial number is left, or the rule names no pivot. \return whether the limit allows that
 bool pivot_to_end(SimplexTableau& tableau, double first_sum, Index limit, Report& report) {

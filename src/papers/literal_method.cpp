@@ -22,8 +22,7 @@
 
 namespace signorini {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 // The run starts without forces, on the equilibrated problem: gaps of different pairs can then be
 // compared.

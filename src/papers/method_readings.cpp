@@ -25,8 +25,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 using Rows = QuasiActiveRows;
 
 // Where all violated rows are independent, the choices by number and by overlap are the choice of all.

@@ -25,8 +25,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 // Sweeps over all pairs until the set of those with a force can be closed exactly.
 // In the loop, the gaps are computed anew after each sweep: a sweep changes them in n small steps,

@@ -37,8 +37,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 // What a step presses are the pairs to which it gives a force.
 std::vector<Index> pressed(const VectorXd& force) {

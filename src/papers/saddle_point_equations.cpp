@@ -25,8 +25,7 @@ namespace signorini {
 namespace saddle_point {
 namespace {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 using RowMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
 // The largest gap, against that of a pair alone, that forces 1 on all pairs make: from one factor of K, or

@@ -31,8 +31,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 using saddle_point::Point;
 using saddle_point::Units;
 

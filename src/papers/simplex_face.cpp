@@ -21,8 +21,7 @@
 
 namespace signorini {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 struct SimplexFace::Numbers {
   explicit Numbers(const ContactProblem& problem)

@@ -26,8 +26,7 @@
 
 namespace signorini {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 // A start with closed pairs is a basis with their forces in the place of their gaps. What is
 // negative then, a gap or a force, is artificial at first.

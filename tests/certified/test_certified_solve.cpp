@@ -1,4 +1,4 @@
-// Where the road ends when the solver on it is wrong: solvers that recite answers.
+// Where certified_solve() ends when its solver is wrong: solvers that recite answers.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -41,7 +41,7 @@ ContactState claim(SolveStatus status, const VectorXd& force,
 
 Solver one_by_one() { return find_solver("goldfarb_idnani"); }
 
-/// The road of a body with K = I.
+/// certified_solve() for a body with K = I.
 CertifiedSolution certified(const VectorXd& load, const MatrixXd& A, const VectorXd& gap,
                             std::vector<ContactState> answers,
                             const std::vector<Solver (*)()>& others = {},
@@ -63,7 +63,7 @@ const Eigen::Vector2d pull(1, 2);
 
 }  // namespace
 
-TEST_CASE("the road mends a claim that is wrong, but no claim that runs in circles",
+TEST_CASE("a claim that is wrong is mended, but no claim that runs in circles",
           "[certified_solve]") {
   const auto ends = [](const ContactState& state) {
     return certified(pull, step, Eigen::Vector2d::Zero(), {state});
@@ -168,7 +168,7 @@ TEST_CASE("where a claim that is not solved has moved the body is not believed",
   CHECK(std::abs(along(SolveStatus::IterationLimit)) < 1e-15);  // rounding of the load along it
 }
 
-TEST_CASE("a method that breaks down without a word still has a reason at the end of the road",
+TEST_CASE("a method that breaks down without a word still has a reason in the end",
           "[certified_solve]") {
   const CertifiedSolution end =
       certified(pull, step, Eigen::Vector2d::Zero(),

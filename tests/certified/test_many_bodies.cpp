@@ -95,7 +95,7 @@ TEST_CASE("few bodies, load steps and other methods are condensed", "[many_bodie
   CHECK_FALSE(whole(steps));
 }
 
-TEST_CASE("a load that lifts the top block is refused by the dense road, with its reason",
+TEST_CASE("a load that lifts the top block is refused by the dense method, with its reason",
           "[many_bodies]") {
   Scene scene = stack(26, 0);
   scene.bodies.back().loads.edges = {{"top", -1, {}}};
@@ -103,7 +103,7 @@ TEST_CASE("a load that lifts the top block is refused by the dense road, with it
   const Solution lifted = solve(scene);
   CHECK(lifted.contact.report.status == SolveStatus::Infeasible);
   CHECK_THAT(lifted.unbounded_direction, ContainsSubstring("block 25"));
-  // Where the dense road would be too long, the end says so.
+  // Where the dense method would be too long, the end says so.
   Ledger ledger;
   const Model model = build(scene, ledger);
   const Index rows = model.programme.A.rows();

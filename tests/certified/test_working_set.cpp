@@ -53,7 +53,7 @@ Scene lever(double ceiling) {
   return scene;
 }
 
-/// One scene by both roads.
+/// One scene in both ways.
 struct Both {
   Ledger ledger;
   Model model;

@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "catch_compat.hpp"
+#include "meshes/block.hpp"
 #include "signorini/contact/gaps.hpp"
 #include "signorini/contact/node_to_obstacle.hpp"
 #include "signorini/core/rounding.hpp"
-#include "meshes/block.hpp"
 
 using Eigen::Index;
 using namespace signorini;
@@ -20,7 +20,7 @@ Gaps five_gaps() {
   GapOptions options;
   options.n_nodes = mesh.n_nodes();
   return reduce(node_to_obstacle(source, half_plane({0, -0.5}, {0, 1}), options), source,
-                number_unknowns(mesh, {}), "contact");
+                number_unknowns(mesh, {}));
 }
 
 }  // namespace
@@ -99,7 +99,7 @@ TEST_CASE(
       node_to_obstacle(source, half_plane({0, -0.5}, {tilt, std::sqrt(1 - tilt * tilt)}), options);
   const Unknowns unknowns = number_unknowns(mesh, {prescribed_at("bottom", {0, 0}, Axis::Y)});
   const auto count = [&](double directions) {
-    return reduce(pairs, source, unknowns, "contact", directions).A.rows();
+    return reduce(pairs, source, unknowns, directions).A.rows();
   };
   CHECK(count(0) == 5);
   CHECK(count(epsilon) == 5);

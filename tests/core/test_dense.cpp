@@ -81,7 +81,6 @@ TEST_CASE("a Cholesky factor reads the lower triangle and says whether the matri
   CHECK((factor.solve_columns(A * X) - X).norm() <
         1e-9);  // condition of the square of a random matrix
   CHECK((factor.solve(A * X.col(0)) - X.col(0)).norm() < 1e-9);
-  CHECK((factor.solve_transposed_half(L.transpose() * X.col(0)) - X.col(0)).norm() < rounding);
   MatrixXd Y = L * X;
   solve_lower_columns(factor.lower(), Y);
   CHECK((Y - X).norm() < rounding);

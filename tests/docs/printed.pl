@@ -265,7 +265,7 @@ END
 ($text) = told(@accuracy);
 ($read) = json(@accuracy);
 my ($change) = $text =~ /^  change: ($number) % \(used\)/m;
-is_near('the change from mesh to mesh', $change, 100 * $read->{accuracy}{rounds}[-1]{overlooked} / $read->{accuracy}{rounds}[-1]{value}, 0.06);
+is_near('the change from mesh to mesh', $change, 100 * $read->{accuracy}{rounds}[-1]{saturation} / $read->{accuracy}{rounds}[-1]{value}, 0.06);
 
 # Problems in numbers: what each column and each count is.
 sub says { my ($wanted, $code, @words) = @_; my ($said, $status) = told(@words); check("signorini @words: status $status, expected $code and '$wanted', said: $said", $status == $code && $said =~ /$wanted/m) }
@@ -289,7 +289,7 @@ says('5 unknowns, 8 rows, 3 of them equations', 0, 'qp', "$data/maros_meszaros/H
 put('doubt', "2 1 0 2 2 2 2 1 0.9 0.9 1 1 2 1.5\n");
 says('^there are other solutions: the determinant of pair 1, 1 without friction, is -0\.35$', 0, 'friction', 'doubt');
 my ($doubt) = json('friction', 'doubt');
-check('the pair in doubt in JSON', grep { ($_->{doubt}{pair} // 0) == 1 && near($_->{doubt}{determinant}, -0.35) } @{ $doubt->{problems}[0]{solvers} });
+check('the pair in doubt in JSON', grep { ($_->{uniqueness_warning}{pair} // 0) == 1 && near($_->{uniqueness_warning}{determinant}, -0.35) } @{ $doubt->{problems}[0]{solvers} });
 # Of solvers that all solve a problem some are not as exact as others: where these are not accepted, the problem counts as not solved.
 my @programme = ('qp', "$data/maros_meszaros/DUALC1.txt", '--solver', 'all');
 ($read) = json(@programme);

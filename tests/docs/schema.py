@@ -62,7 +62,7 @@ def damaged(document):
     for name in document:
         yield "a number more in " + name, {**document, name: [document[name], 1]}
     yield "another format", {**document, "format": "signorina"}
-    yield "another version", {**document, "version": 2}
+    yield "another version", {**document, "version": 3}
     yield "an unknown member", {**document, "magic": 1}
     within = {"plan": lambda d: d["plan"]["predicted"][0], "solution": lambda d: d.get("pairs", d["certificate"]),
               "steps": lambda d: d["steps"][0], "accuracy": lambda d: d["accuracy"]["rounds"][0],

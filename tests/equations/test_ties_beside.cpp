@@ -146,7 +146,7 @@ TEST_CASE("the certificate measures ties with the displacements of the nodes", "
   Solution wrong = run.solution;
   wrong.bond_forces.clear();
   wrong.displacements[1].array() += 1e-6 * wrong.displacements[1].cwiseAbs().maxCoeff();
-  judge_equations(run.model, run.condensed, wrong);
+  check_bonds(run.model, run.condensed, wrong);
   CHECK(wrong.certificate.penetration > 1e-7);
   CHECK(wrong.contact.report.status == SolveStatus::Breakdown);
 }

@@ -160,7 +160,7 @@ TEST_CASE("what no finer mesh mends ends refinement by its name", "[accuracy]") 
   const Scene scene = pressed_block(4, {fixed("left")});
   Accuracy wanted{0.02, goal_in_words("displacement:top.y", plan(scene))};
   CHECK(solve_to_accuracy(scene, wanted).met);
-  wanted.doubts = [](const Model& model, const Solution& solution) {
+  wanted.warnings = [](const Model& model, const Solution& solution) {
     CHECK(solution.displacements[0].rows() == model.bodies[0].mesh.n_nodes());
     return std::vector<std::string>{"a pillar stands on a needle"};
   };

@@ -4,6 +4,7 @@
 #include "signorini/fem/assembly.hpp"
 #include "signorini/fem/elements.hpp"
 #include "signorini/fem/stress.hpp"
+#include "signorini/fem/von_mises.hpp"
 #include "support/meshes.hpp"
 
 using Eigen::Index;

@@ -40,7 +40,7 @@ Over over(const Obstacle& obstacle, const Element& element, Eigen::Vector2d size
   GapOptions options;
   options.n_nodes = mesh.n_nodes();
   return {signorini_test::stiffness("over", mesh, element, {fixed("left")}),
-          reduce(node_to_obstacle(source, obstacle, options), source, unknowns, "contact").A};
+          reduce(node_to_obstacle(source, obstacle, options), source, unknowns).A};
 }
 
 /// Rows with some entries each, anywhere; some rows are empty.

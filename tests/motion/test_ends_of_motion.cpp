@@ -12,8 +12,10 @@
 #include "signorini/core/rounding.hpp"
 #include "signorini/report/pressure_table.hpp"
 #include "signorini/scene/bodies.hpp"
+#include "support/message.hpp"
 
 using namespace signorini;
+using signorini_test::problem_message;
 using Eigen::Index;
 using Eigen::VectorXd;
 
@@ -256,4 +258,63 @@ TEST_CASE("a stiff block rests on a slope, and bears its weight there", "[motion
   const Resultants sum = resultants(all.model, all.last.solution, {});
   CHECK(sum.force.x() == Approx(0).margin(1e-12));
   CHECK(sum.force.y() == Approx(0.5).epsilon(1e-12));
+}
+
+// Lifted off, a body slips by less in every step that holds it still: by 1e-20, 1e-40, and so on.
+TEST_CASE("a body that was lifted off is held still for as long as one likes", "[motion][friction]") {
+  const std::string law = GENERATE(as<std::string>(), rubber, ", law = \"st_venant_kirchhoff\"");
+  CAPTURE(law);
+  const Walked all = walked(block("block", "size = [0.5, 0.5], cells = [3, 3]", law) +
+                            "prescribed = { top = { x = 0, y = -0.015, history = \"press\" } }\n" + ground +
+                            "friction = { law = \"tresca\", cohesion = 0.02 }\n[[steps]]\ncount = 2\nvalues = { press = 1 }\n"
+                            "[[steps]]\nvalues = { press = -0.3 }\n[[steps]]\ncount = 8\nvalues = { press = -0.3 }\n");
+  INFO(all.end.reason);
+  REQUIRE(all.end.status == SolveStatus::Solved);
+  CHECK(all.end.halvings == 0);
+  CHECK(largest_force(all) == 0);
+}
+
+TEST_CASE("small strain that turns a cell inside out is refused", "[motion][errors]") {
+  const Walked all = walked("moves = true\n" + block("block", "size = [2, 1], cells = [4, 2]", "") +
+                            "prescribed = { top = { x = 0, y = -1.5, history = \"press\" } }\n" + ground +
+                            "[[steps]]\ncount = 4\nvalues = { press = 1 }\n");
+  CHECK(all.end.status == SolveStatus::TurnedTooFar);
+  CHECK_THAT(all.end.reason, ContainsSubstring("is turned inside out"));
+  CHECK(all.end.state.time == 0.5);
+}
+
+// The gap of a pin is that of a place in the mesh, which a body that moves leaves.
+TEST_CASE("a pin in a hole is no obstacle for bodies that move, and a disc in its place is",
+          "[motion][errors]") {
+  const auto pushed = [](const std::string& moves, const std::string& target) {
+    return moves +
+           "[[body]]\nmesh = { kind = \"plate_with_hole\", hole_radius = 5, size = [20, 20], cells = [24, 6] }\n"
+           "material = { youngs_modulus = 1000, poisson_ratio = 0.3 }\n"
+           "prescribed = { left = { x = 0.03, y = 0, history = \"p\" }, right = { x = 0.03, y = 0, history = \"p\" } }\n"
+           "[[contact]]\nsource = \"hole\"\ntarget = { " +
+           target + " }\n[[steps]]\nvalues = { p = 1 }\n";
+  };
+  const std::string pin = "kind = \"pin_in_hole\", clearance = 0.01";
+  CHECK_THAT(problem_message([&] { walked(pushed("moves = true\n", pin)); }),
+             ContainsSubstring("made for small movements") && ContainsSubstring("kind = \"disc\""));
+  const Walked still = walked(pushed("", pin));
+  const Walked disc = walked(pushed("moves = true\n", "kind = \"disc\", radius = 4.99"));
+  const double force = resultants(still.model, still.last.solution, {}).force.x();
+  CHECK(force == Approx(-36.9).epsilon(1e-3));
+  CHECK(resultants(disc.model, disc.last.solution, {}).force.x() == Approx(force).epsilon(3e-3));
+}
+
+// Back at rest the nodes of a relation are where they were, but for the last digits of two doubles, and so are its sides.
+TEST_CASE("what a relation holds comes back to rest, and stays there", "[motion]") {
+  const std::string law = GENERATE(as<std::string>(), rubber, ", law = \"st_venant_kirchhoff\"");
+  CAPTURE(law);
+  const Walked all = walked(block("up", "size = [1, 0.8], cells = [4, 3]", law) +
+                            "fixed = \"bottom\"\nprescribed = { top = { y = -0.05, x = 0.02, history = \"p\" } }\n"
+                            "[[relation]]\nterms = { side = \"right\", point = [1, 0.26666666666666666], along = [0.6, 0.8] }\n"
+                            "[[steps]]\ncount = 2\nvalues = { p = 1 }\n[[steps]]\ncount = 4\nvalues = { p = 0 }\n"
+                            "[[steps]]\ncount = 2\n");
+  INFO(all.end.reason);
+  REQUIRE(all.end.status == SolveStatus::Solved);
+  CHECK(all.end.halvings == 0);
+  CHECK(all.last.solution.displacements[0].cwiseAbs().maxCoeff() <= 1e-20);
 }

@@ -1,6 +1,7 @@
 // Finite strain beside numbers that are known otherwise: a strip bent to a circle, rubber between plates, ironing.
 #include <array>
 #include <cmath>
+#include <map>
 
 #include "addons/motion/finite_strain.hpp"
 #include "addons/steps/steps.hpp"
@@ -11,6 +12,7 @@
 #include "signorini/fem/strain_laws.hpp"
 #include "signorini/report/pressure_table.hpp"
 #include "signorini/scene/readings.hpp"
+#include "support/sample.hpp"
 
 using namespace signorini;
 using Eigen::Index;
@@ -182,9 +184,10 @@ std::vector<double> rubber_forces(double nu, const char* element) {
 
 }  // namespace
 
-// Of the published shallow ironing the way down: a die with a round side of 1.2 mm and corners goes 1 mm down onto a slab 0.2 mm
-// below it. The numbers are limits over two discretisations, q4 and q8.
-TEST_CASE("the die of shallow ironing goes down with the known forces", "[motion]") {
+// The published shallow ironing: a die with a round side of 1.2 mm and corners goes 1 mm down onto a slab 0.2 mm below it, and
+// then along it, here as far as 5 mm. The numbers are limits over two discretisations, q4 and q8. The way along is left out under
+// the sanitizers.
+TEST_CASE("the die of shallow ironing goes down and along with the known forces", "[motion]") {
   Scene scene;
   scene.bodies.resize(2);
   Body& slab = scene.bodies[0];
@@ -202,7 +205,8 @@ TEST_CASE("the die of shallow ironing goes down with the known forces", "[motion
                     });
   for (const char* side : {"left", "bottom", "right"})
     for (const CellSide& one : boundary(die.mesh, side)) die.mesh.boundaries["face"].push_back(one);
-  die.supports = {prescribed("top", Axis::X, 0), prescribed("top", Axis::Y, -1)};
+  die.supports = {prescribed("top", Axis::X, 10), prescribed("top", Axis::Y, -1)};
+  die.supports[0].history = "drag";
   die.supports[1].history = "press";
   for (Body& body : scene.bodies) {
     body.element = "q8";
@@ -211,18 +215,23 @@ TEST_CASE("the die of shallow ironing goes down with the known forces", "[motion
   }
   scene.contacts = {{{"top", "slab"}, Side{"face", "die"}}};
   scene.contacts[0].friction = Friction{0.3, 0};
-  scene.path = Path{equal_steps(20), {proportional("press")}};
-  Vector2d force(0, 0);
+  scene.path = Path{equal_steps(20), {proportional("press"), {"drag", {1, 2}, {0, 1}}}};
+  for (int k = 1; k <= (signorini_test::sanitized ? 0 : 50); ++k) scene.path->times.push_back(1 + 0.01 * k);
+  std::map<double, Vector2d> force;
   Index pairs = 0;
   const PathEnd end = solve_steps(scene, [&](const Model& model, const Step& step) {
-    force = resultants(model, step.solution).force;
-    pairs = model.pairs.weight.size();
+    force[step.state.time] = resultants(model, step.solution).force;
+    pairs = std::max(pairs, model.pairs.weight.size());
   });
   INFO(end.reason);
   REQUIRE(end.status == SolveStatus::Solved);
-  CHECK(end.halvings == 0);
-  CHECK(std::abs(std::abs(force.y()) / 315.6 - 1) <= 0.003);
-  CHECK(std::abs(std::abs(force.x()) / 66.2 - 1) <= 0.003);
+  CHECK(end.halvings <= 2);
+  const auto off = [&](double time, double down, double along) {
+    const Vector2d f = force.at(time).cwiseAbs();
+    return std::max(std::abs(f.y() / down - 1), std::abs(f.x() / along - 1));
+  };
+  CHECK(off(1, 315.6, 66.2) <= 0.003);
+  if (scene.path->times.back() > 1) CHECK(off(1.5, 401.4, 132.1) <= 0.003);
   CHECK(pairs < 120);  // of 241 nodes along the slab
 }
 

@@ -66,6 +66,7 @@ TEST_CASE("numbers near overflow or underflow are refused, except small ones bes
   CHECK_THAT(complaint(matrix(1, 1e103, 1e103, 1), Vector2d(0, 1)), ContainsSubstring(wanted));
   CHECK_THAT(complaint(matrix(1, 0, 0, 1), Vector2d(0, -5e-324)), ContainsSubstring(wanted));
   CHECK_THAT(complaint(matrix(1, 0, 0, 1), Vector2d(-1e300, 0)), ContainsSubstring(wanted));
+  CHECK(complaint(matrix(1, 0, 0, 1), Vector2d(1, -1e-200)).empty());  // beside a larger gap
 }
 
 TEST_CASE("numbers of laws and of rigid modes near overflow or underflow are refused",

@@ -124,6 +124,18 @@ TEST_CASE("bad input: a held node inside the obstacle", "[input]") {
              ContainsSubstring("is held by supports and overlaps by 0.5"));
 }
 
+TEST_CASE("bad input: a node that is moved into the obstacle, or to it", "[input]") {
+  const auto said = [](double floor, double down) {
+    return complaint([&](Scene& s) {
+      s.bodies[0].supports = {prescribed("left", Axis::Y, down), prescribed("left", Axis::X, 0)};
+      s.contacts[0].target = half_plane({0, floor}, {0, 1});
+    });
+  };
+  CHECK_THAT(said(-0.25, -0.5), ContainsSubstring("a rigid half plane: the pair at (0, 0)") &&
+                                    ContainsSubstring("overlaps by 0.25"));
+  CHECK(said(-0.5, -0.5).empty());  // just touches
+}
+
 TEST_CASE("bad input: unknown names", "[input]") {
   CHECK_THAT(complaint([](Scene& s) { s.bodies[0].element = "q9"; }),
              ContainsSubstring("unknown element 'q9'") && ContainsSubstring("q8"));

@@ -122,7 +122,8 @@ TEST_CASE("the warning names the pair, its determinant and the friction from whi
       REQUIRE(state.report.status == SolveStatus::Solved);
       const bool several = mu > 2.5;
       CHECK((state.uniqueness == Uniqueness::Doubtful) == several);
-      CHECK(state.uniqueness_warning.pair == (several ? 0 : -1));
+      CHECK(state.uniqueness_warning.pair.has_value() == several);
+      CHECK(state.uniqueness_warning.pair.value_or(0) == 0);
       CHECK(state.uniqueness_warning.determinant ==
             Approx(several ? 1 - mu * k : 1).epsilon(1e-13).margin(0));
       if (several)
@@ -137,12 +138,12 @@ TEST_CASE("without the friction of the pair that is named, beyond its share, the
   for (int sample = 0; sample < 1500; ++sample) {
     ContactProblem problem = random_friction(random, 2 + sample % 4, 8);
     const ContactState solution = solve_with_proofs(problem, friction_solvers().front());
-    if (solution.report.status != SolveStatus::Solved || solution.uniqueness_warning.pair < 0)
+    if (solution.report.status != SolveStatus::Solved || !solution.uniqueness_warning.pair)
       continue;
     const std::vector<ContactStatus> statuses = all_statuses(solution);
     if (!solve_active_set(equilibrate(problem), statuses).reversed) continue;
     ++named;
-    double& mu = problem.law.coefficient(solution.uniqueness_warning.pair);
+    double& mu = problem.law.coefficient(*solution.uniqueness_warning.pair);
     const double critical = mu / (1 - solution.uniqueness_warning.determinant);
     CAPTURE(sample, mu, critical);
     mu = 1.000001 * critical;

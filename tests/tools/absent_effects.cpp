@@ -61,7 +61,7 @@ void by_hand(const Scene& scene) {
   options.n_nodes = mesh.n_nodes();
   options.depth = depth_of(body.material);
   Gaps gaps = reduce(node_to_obstacle(source, std::get<Obstacle>(contact.target), options), source,
-                     unknowns, "the contact");
+                     unknowns);
   LinearSystem system = assemble(mesh, element, body.material, unknowns, body.loads);
   QuadraticProgramme programme;
   programme.stiffness.swap(system.stiffness);

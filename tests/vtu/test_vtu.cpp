@@ -7,6 +7,7 @@
 #include "catch_compat.hpp"
 #include "meshes/split.hpp"
 #include "signorini/fem/stress.hpp"
+#include "signorini/fem/von_mises.hpp"
 #include "signorini/scene/readings.hpp"
 #include "support/cantilever.hpp"
 #include "support/folder.hpp"

@@ -12,8 +12,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::Vector2d;
+using Eigen::Index, Eigen::Vector2d;
 
 constexpr double nowhere = std::numeric_limits<double>::infinity();
 

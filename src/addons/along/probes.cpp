@@ -11,6 +11,7 @@
 #include "signorini/core/index.hpp"
 #include "signorini/core/plane.hpp"
 #include "signorini/fem/stress.hpp"
+#include "signorini/fem/von_mises.hpp"
 #include "signorini/report/nodal_fields.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/effects.hpp"
@@ -18,9 +19,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::Vector2d;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::Vector2d, Eigen::VectorXd;
 using Columns = std::vector<PairColumn>;
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
@@ -47,7 +46,7 @@ class Reader {
       : model_(model), solution_(solution) {
     if (!model.contacts.empty()) contact_ = nodal_fields(model, solution, totals);
     for (const Effect* effect : model.effects)
-      for (const std::string word : {"friction", "cohesion"}) rubs_ = rubs_ || effect->name == word;
+      for (const std::string word : {"friction", "cohesion"}) frictional_ = frictional_ || effect->name == word;
   }
 
   [[nodiscard]] Columns read(const Probe& probe) {
@@ -131,7 +130,7 @@ class Reader {
   void add_contact(const std::vector<Place>& rows, Columns& columns) const {
     if (model_.contacts.empty()) return;
     std::vector<std::string> names = {"contact_gap", "contact_pressure"};
-    if (rubs_) names.emplace_back("contact_shear_traction");
+    if (frictional_) names.emplace_back("contact_shear_traction");
     const NodalField* const status = field("contact_status");
     const Index first = body().first_node;
     for (const std::string& name : names) {
@@ -198,7 +197,7 @@ class Reader {
 
   const Model& model_;
   const Solution& solution_;
-  bool rubs_ = false;  // whether the scene has friction
+  bool frictional_ = false;  // whether the scene has friction
   std::vector<NodalField> contact_;
   std::map<std::size_t, StressArray> stress_;  // by number of the body
   std::size_t b_ = 0;                          // that is read

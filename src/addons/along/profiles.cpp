@@ -15,9 +15,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::Vector2d;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::Vector2d, Eigen::VectorXd;
 
 void check_points(const NodeArray& points, const std::string& name) {
   require_input(points.rows() >= 2, "obstacle '", name, "': needs two points or more, got ",

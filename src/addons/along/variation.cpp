@@ -9,9 +9,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::Vector2d;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::Vector2d, Eigen::VectorXd;
 
 double place_of(const Variation& variation, const Vector2d& x) {
   if (variation.over == Over::Length) return variation.length->at(x);

@@ -10,9 +10,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 /// What of a force works along motions.
 VectorXd along(const MatrixXd& motions, const VectorXd& force) {

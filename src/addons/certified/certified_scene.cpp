@@ -20,8 +20,7 @@
 
 namespace signorini {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 VectorXd no_forces(const Model& model, const PrimalDual& refined, const KnownMatrices& known) {
   const QuadraticProgramme& programme = model.programme;

@@ -17,15 +17,13 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 /// check_problem() refuses smaller movements and resultants.
 constexpr double smallest_movement = 0x1p-340;
 constexpr double smallest_resultant = 0x1p-170;
 
-/// The road, one pass of the solver after another.
+/// One pass of the solver after another, each with its claim refined.
 class CertifiedSolve {
  public:
   CertifiedSolve(const QuadraticProgramme& programme, const CondensedProgramme& condensed,
@@ -42,8 +40,8 @@ class CertifiedSolve {
   CertifiedSolution run(const Solver& solver, const SolverOptions& options);
 
  private:
-  /// Refines a claim and changes pairs while fewer and fewer are wrong. \return whether all signs are right,
-  /// or nothing new can be tried
+  /// Refines a claim and changes pairs while fewer and fewer are wrong. \return whether this was the last pass: all signs are
+  /// right, or no new set is asked for
   bool settle(const ContactState& claim);
   /// Refines a set, and those that it asks for. \return as above
   bool exchange(std::vector<ContactStatus> statuses, VectorXd force);

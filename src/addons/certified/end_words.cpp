@@ -32,7 +32,7 @@ std::string uniqueness_warning_in_words(const Model& model, const UniquenessWarn
                 ": the determinant of the pairs that slide, normalised to 1 without friction, is ",
                 figure.determinant, ", and below 0 there are several");
   const double mu = law.coefficient(found - law.pair.begin());
-  return text(warning, ": the determinant of ", pair_in_words(model, figure.pair),
+  return text(warning, ": the determinant of ", pair_in_words(model, *figure.pair),
               ", normalised to 1 without its friction, is ", figure.determinant,
               ", and several solutions begin below 0, from a friction coefficient of ",
               mu / (1 - figure.determinant), " on; there it is ", mu);

@@ -11,8 +11,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 using Rows = std::vector<Index>;
 
 /// Solves at most. The signs seldom change after the second.

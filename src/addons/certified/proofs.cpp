@@ -14,9 +14,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 /// The resultants that contact can give: one edge of each friction cone on either side, and then the tangential
 /// direction of each cohesive pair, of which only so much can be had; with cohesion the load counts from -c.
@@ -161,10 +159,10 @@ bool proves_infeasible(const QuadraticProgramme& programme, const VectorXd& y, c
     work.add_product(programme.initial_gap(i), y(i));
     moved.add_product(columns, i, y(i));
   }
-  const double escape = moved.value().cwiseProduct(u).lpNorm<1>();
+  const double moves = moved.value().cwiseProduct(u).lpNorm<1>();
   const double rounding = epsilon * programme.initial_gap.head(m).cwiseAbs().dot(y.cwiseAbs());
   return -work.value() > static_cast<double>(m) * rounding &&
-         -work.value() * std::sqrt(epsilon) > escape;
+         -work.value() * std::sqrt(epsilon) > moves;
 }
 
 }  // namespace signorini

@@ -9,9 +9,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 using Places = std::vector<Index>;
 
 /// Puts numbers where they belong, others being 0; nothing where there are none.
@@ -47,7 +45,7 @@ ContactProblem Separate::problem() const {
   return own;
 }
 
-/// Sends one system down the road.
+/// Solves one system.
 CertifiedSolution end_of(const Separate& system, const QuadraticProgramme& programme,
                          const CondensedProgramme& condensed, const MatrixXd& null_vectors,
                          const Solver& solver, SolverOptions options, Ledger& ledger) {
@@ -96,7 +94,7 @@ void Separate::put_into(CertifiedSolution& all, CertifiedSolution part, Index un
     state.contact_status[at(slips[k])] = now.contact_status[k];
   if (now.uniqueness == Uniqueness::Doubtful && state.uniqueness != Uniqueness::Doubtful) {
     state.uniqueness_warning = now.uniqueness_warning;
-    if (Index& pair = state.uniqueness_warning.pair; pair >= 0) pair = gaps[at(pair)];
+    if (auto& pair = state.uniqueness_warning.pair; pair) pair = gaps[at(*pair)];
   }
   if (!parts.rows.empty()) state.uniqueness = std::max(state.uniqueness, now.uniqueness);
   if (const ForceUncertainty& own = part.force_uncertainty; own.share > all.force_uncertainty.share)

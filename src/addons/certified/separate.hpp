@@ -1,6 +1,6 @@
 // This header is internal: chapters do not include it, and it is not installed.
 /// \file
-/// Systems that nothing connects go down the road one by one.
+/// Systems that nothing connects are solved one by one.
 #pragma once
 #include <vector>
 

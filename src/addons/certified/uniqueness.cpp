@@ -11,9 +11,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 /// 1 - mu |C_ii| / G_ii of pair k of the law; 1 of a body that floats: there G and C depend on what grounds it.
 double own_determinant(const ScaledProblem& problem, Index k) {
@@ -29,8 +27,8 @@ double own_determinant(const ScaledProblem& problem, Index k) {
 /// matrix M loses (1 - k) b, and by Cramer's rule its determinant is 1 - (1 - k) (M^-1 b)_i times what it was.
 UniquenessWarning warning_of_set(const ScaledProblem& problem, const ActiveSet& set) {
   const std::vector<Index>& rows = set.closed;
-  const MatrixXd M = closing_matrix(problem, rows, set);
-  const MatrixXd smooth = closing_matrix(problem, rows, ActiveSet{rows});
+  const MatrixXd M = active_set_matrix(problem, rows, set);
+  const MatrixXd smooth = active_set_matrix(problem, rows, ActiveSet{rows});
   const LuFactor factor(M);
   UniquenessWarning most;
   double largest_share = 1;

@@ -17,8 +17,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 using Statuses = std::vector<ContactStatus>;
 
 /// The first matrix whose rows are worth leaving out: with doubles, half a megabyte.

@@ -8,9 +8,7 @@
 
 namespace signorini {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 Carried carried(const QuadraticProgramme& programme, const PrimalDual& solution,
                 const FrictionLaw& law, std::vector<ContactStatus> statuses) {

@@ -12,9 +12,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
 /// Columns that hang together by their rows, and how many rows and entries these columns have.

@@ -14,8 +14,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::Vector2d;
+using Eigen::Index, Eigen::Vector2d;
 
 /// How far the straight sides of a round boundary lie within the curve at most: of two that turn by an angle, each of
 /// length h has the sag h angle / 8. Edges by which a boundary turns more than a curve does have none.

@@ -30,9 +30,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::RowVector2d;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::RowVector2d, Eigen::VectorXd;
 
 // How far a pair slides is measured in sides: the same length is little in a coarse mesh and
 // much in a fine one. So each node is told the longest side that it is on.
@@ -101,16 +99,20 @@ class Following {
   // is the nearest. A pair that faces nothing any more has an infinite gap, and keeps its
   // old row. What is left among those found there belongs to no pair of the model. It
   // matters if it overlaps by more than rounding and if something of it can move. No force
-  // of the model acts there, so the solution knew nothing of it. `source` is as it was,
-  // `first` the first pair of the contact in the model, `gap` that of its pairs before
-  // anything moved.
+  // of the model acts there, so the solution knew nothing of it. Where equations hold a pair, they
+  // have its force. `source` is as it was, `first` the first pair of the contact in the model.
   void match(const Surface& source, const Pairs& there, std::size_t contact, Index first,
-             const VectorXd& gap) {
+             const FollowedContact& followed) {
+    const VectorXd& gap = followed.gap;
+    const std::vector<Index>& given = followed.given;
     std::vector<bool> taken(there.node.size(), false);
     std::vector<Index> of_node(static_cast<std::size_t>(source.mesh.n_nodes()), -1);
-    for (std::size_t k = 0; k < there.node.size(); ++k)
-      if (there.node[k] >= 0)
-        of_node[static_cast<std::size_t>(there.node[k])] = static_cast<Index>(k);
+    for (std::size_t k = 0; k < there.node.size(); ++k) {
+      const Index node = there.node[k];
+      if (node >= 0) of_node[static_cast<std::size_t>(node)] = static_cast<Index>(k);
+      const Index of_all = node < 0 ? node : source.first_node + node;
+      taken[k] = std::find(given.begin(), given.end(), of_all) != given.end();
+    }
     for (Index pair = first; pair < first + gap.size(); ++pair) {
       const Index node = model_.pairs.node[static_cast<std::size_t>(pair)];
       const Index found = node >= 0 ? of_node[static_cast<std::size_t>(node - source.first_node)]
@@ -210,12 +212,12 @@ MovedPairs follow(const std::vector<FollowedContact>& contacts, const Model& mod
       for (NodalRows::InnerIterator it(old, pair); it; ++it)
         all.edge(pair) = std::max(all.edge(pair), length(it.col() / 2));
     const Obstacle* obstacle = std::get_if<Obstacle>(&contact.target);
-    if (obstacle != nullptr && obstacle->linear) {
+    if (contacts[k].linear || (obstacle != nullptr && obstacle->linear)) {
       following.stay(first, contacts[k].gap.size());
       continue;
     }
     auto [pairs, lost] = found_pairs(contact, there);
-    following.match(source, pairs, k, first, contacts[k].gap);
+    following.match(source, pairs, k, first, contacts[k]);
     all.lost[k] = std::move(lost);
   }
   following.finish();

@@ -17,8 +17,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 /// Of the forces of a body, from where on they are no solution.
 constexpr double too_much = 1e-2;
@@ -135,7 +134,7 @@ double lost_share(const Model& model, const Solution& solution, const Whole& who
 
 }  // namespace
 
-void judge_lost_digits(const Model& model, const Condensed& /*condensed*/, Solution& solution) {
+void check_lost_digits(const Model& model, const Condensed& /*condensed*/, Solution& solution) {
   // What rounding of K does to a sum of internal forces, as errors without an order add up, and some times more.
   const QuadraticProgramme& programme = model.programme;
   const double rounding = 8 * epsilon * size_of(programme.stiffness) * farthest(solution);

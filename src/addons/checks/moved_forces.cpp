@@ -20,8 +20,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 /// Pairs that face nothing are as far open as anything moves.
 void open_far(const VectorXd& opens, const VectorXd& displacement, VectorXd& gap) {

@@ -10,9 +10,7 @@
 
 namespace signorini {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 Polyhedron::Polyhedron(const MatrixXd& G, const VectorXd& h)
     : G_(G),

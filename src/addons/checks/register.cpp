@@ -19,8 +19,8 @@ void register_checks() {
   add_check({"point supports", nullptr, nullptr, nullptr, point_supports});
   add_check({"fits", nullptr, nullptr, sag_warning, closed_gap_warnings});
   add_check({"shared forces", nullptr, nullptr, nullptr, nullptr, note_shared_forces});
-  add_check({"lost digits", nullptr, nullptr, nullptr, nullptr, judge_lost_digits});
-  add_check({"sliding", nullptr, nullptr, nullptr, nullptr, judge_sliding});
+  add_check({"lost digits", nullptr, nullptr, nullptr, nullptr, check_lost_digits});
+  add_check({"sliding", nullptr, nullptr, nullptr, nullptr, check_sliding});
 }
 
 }  // namespace signorini

@@ -18,8 +18,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 using MatrixX2 = Eigen::Matrix<double, Eigen::Dynamic, 2>;
 
 /// What the forces of some pairs amount to on one of the bodies that have them.
@@ -80,7 +79,7 @@ Index pair_of(const Model& model, const ForceRange& range) {
 std::string range_in_words(const Model& model, const ForceRange& range) {
   const bool normal = range.row < model.pairs.opening.rows();
   const std::string what =
-      pair_in_words(model, pair_of(model, range)) + (normal ? " presses with" : " rubs with");
+      pair_in_words(model, pair_of(model, range)) + (normal ? " presses with" : " has the friction force");
   if (std::isinf(range.low) && std::isinf(range.high)) return what + " any force";
   if (std::isinf(range.high)) return text(what, ' ', range.low, " or more");
   if (std::isinf(range.low)) return text(what, ' ', range.high, " or less");

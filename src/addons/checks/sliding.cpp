@@ -14,9 +14,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::Vector2d;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::Vector2d, Eigen::VectorXd;
 
 /// What the pairs of one contact do to the nodes of all bodies, x and y of each [force]: of many bodies, to two of them.
 using NodalForces = Eigen::SparseVector<double>;

@@ -32,7 +32,7 @@ std::string in_words(const Model& model, const SlidingChange& one) {
 
 }  // namespace
 
-void judge_sliding(const Model& model, const Condensed& condensed, Solution& solution) {
+void check_sliding(const Model& model, const Condensed& condensed, Solution& solution) {
   if (!model.followed || solution.contact.force.size() == 0) return;
   const auto none = [&] {
     const PrimalDual& refined = solution.refined;

@@ -10,6 +10,6 @@ namespace signorini {
 /// \param model      that was solved
 /// \param condensed  from condense() of it
 /// \param[in,out] solution  of it, Solved
-void judge_sliding(const Model& model, const Condensed& condensed, Solution& solution);
+void check_sliding(const Model& model, const Condensed& condensed, Solution& solution);
 
 }  // namespace signorini

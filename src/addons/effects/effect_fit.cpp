@@ -14,8 +14,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::Vector2d;
+using Eigen::Index, Eigen::Vector2d;
 
 /// One of the two lengths.
 using Fit = std::optional<double> ContactSpec::*;
@@ -73,13 +72,9 @@ std::string adjust(const ContactSpec& contact, Pairs& pairs) {
 std::string press(const ContactSpec& contact, Pairs& pairs) {
   const double closer = contact.interference.value_or(0);
   if (closer == 0) return "";
-  if (!contact.interference_share) {
-    pairs.initial_gap.array() -= closer;
-    return text(", all closer by ", closer);
-  }
   for (Index k = 0; k < pairs.initial_gap.size(); ++k)
-    pairs.initial_gap(k) -= closer * contact.interference_share(pairs.position.row(k).transpose());
-  return text(", closer by up to ", closer);
+    pairs.initial_gap(k) -= interference_at(contact, pairs.position.row(k).transpose());
+  return text(contact.interference_share ? ", closer by up to " : ", all closer by ", closer);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // Bonds: equations between displacements, which hold whatever the forces are.
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -18,8 +19,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 /// What slides along a side stays on it as the meshes have it. \param what  the bond, as messages have it
 void check_slides(const Scene& scene, const std::string& what) {
@@ -79,34 +79,61 @@ void note_repeated(const Equations& all, const NodalRows& free, Plan& draft) {
                                equation_in_words(all, twice.front(), draft)));
 }
 
-/// Solves the equations for unknowns, refuses those that contradict others, and notes those that repeat them.
-void solve_rows(Plan& draft, Equations& all) {
-  const Index count = static_cast<Index>(all.rows.size());
-  const NodeArray& held = draft.unknowns.held;
-  const VectorXd given = all.matrix * Eigen::Map<const VectorXd>(held.data(), held.size());
-  const double far = largest(VectorXd(Eigen::Map<const VectorXd>(held.data(), held.size())));
-  VectorXd right(count);
-  VectorXd rounding(count);
+/// Supports that hold a node of a tie and part of what it faces must move both alike: no force closes what they open.
+void check_between(const Plan& draft, const Bond& bond, const VectorXd& given, const std::string& when) {
+  for (const Equation& row : bond.between) {
+    const auto is_own = [&](const auto& term) { return term.first == row.own; };
+    const double own = std::find_if(row.terms.begin(), row.terms.end(), is_own)->second;
+    const double place = given(row.own) - row.right / own;
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const auto& [component, value] : row.terms) {
+      if (value * own > 0 || draft.unknowns.number(component / 2, component % 2) >= 0) continue;
+      low = std::min(low, given(component));
+      high = std::max(high, given(component));
+    }
+    const double apart = std::max(low - place, place - high);
+    const Index node = row.own / 2;
+    const BodyModel& body = draft.bodies[body_of_node(draft.bodies, node)];
+    require_input(!(apart > row.rounding / std::abs(own) + 64 * epsilon * largest(given)), bond.what, ": at ",
+                  in_brackets(body.mesh.nodes.row(node - body.first_node)),
+                  " supports hold both sides, and move them apart by ", apart, when,
+                  ". Let them move alike, or hold one side only");
+  }
+}
+
+/// Solves the equations for unknowns, refuses those that contradict others, and notes those that repeat them. In load steps
+/// supports give other displacements at every step, and what is repeated may contradict at some of them.
+void solve_rows(const Scene& scene, Plan& draft, Equations& all) {
   std::vector<Index> own;
-  for (Index k = 0; k < count; ++k) {
-    const Equation& row = all.rows[at(k)];
-    right(k) = row.right - given(k);
-    rounding(k) = row.rounding + 64 * epsilon * far;
+  for (std::size_t k = 0; k < all.rows.size(); ++k) {
+    const Equation& row = all.rows[k];
     own.push_back(row.own < 0 ? -1 : draft.unknowns.number(row.own / 2, row.own % 2));
-    if (!row.stiffness) all.held.push_back(k);
+    if (!row.stiffness) all.held.push_back(static_cast<Index>(k));
   }
   const NodalRows free = free_columns(all.matrix, draft.unknowns);
-  all.solved = eliminate(free, right, rounding, own, all.held);
-  const std::vector<Index>& wrong = all.solved.contradicting;
-  require_input(wrong.empty(), wrong.size(),
-                wrong.size() == 1 ? " equation contradicts" : " equations contradict", " others or supports, the first: ",
-                wrong.empty() ? "" : equation_in_words(all, wrong.front(), draft),
-                ". Leave out one of those that hold the same displacement");
+  bool known = false;
+  each_given(scene, draft, [&](const NodeArray& held, std::optional<double> time) {
+    const std::string when = time ? text(" at time ", *time) : "";
+    for (const Bond& bond : all.bonds)
+      check_between(draft, bond, held.reshaped<Eigen::RowMajor>(), when);
+    if (std::exchange(known, true) && all.solved.repeated.empty()) return;
+    VectorXd rounding(free.rows());
+    for (Index k = 0; k < rounding.size(); ++k)
+      rounding(k) = all.rows[at(k)].rounding + 64 * epsilon * held.cwiseAbs().maxCoeff();
+    all.solved = eliminate(free, right_sides(all, held), rounding, own, all.held);
+    const std::vector<Index>& wrong = all.solved.contradicting;
+    require_input(wrong.empty(), wrong.size(),
+                  wrong.size() == 1 ? " equation contradicts" : " equations contradict", " others or supports",
+                  when, ", the first: ",
+                  wrong.empty() ? "" : equation_in_words(all, wrong.front(), draft),
+                  ". Leave out one of those that hold the same displacement");
+  });
   note_repeated(all, free, draft);
 }
 
 /// The pairs of contacts that never lift off.
-void add_two_sided(const Scene& scene, Plan& draft, Equations& all) {
+void add_two_sided(const Scene& scene, Plan& draft) {
   const Bonds& bonds = *scene.bonds;
   for (const std::size_t contact : bonds.two_sided) {
     require_input(contact < draft.contacts.size(), "bonds: the scene has no contact number ",
@@ -117,7 +144,7 @@ void add_two_sided(const Scene& scene, Plan& draft, Equations& all) {
   for (std::size_t pair = 0; pair < draft.contact_of.size(); ++pair)
     if (std::find(bonds.two_sided.begin(), bonds.two_sided.end(), draft.contact_of[pair]) !=
         bonds.two_sided.end())
-      all.two_sided.push_back(static_cast<Index>(pair));
+      draft.two_sided.push_back(static_cast<Index>(pair));
 }
 
 void declare_equations(const Scene& scene, Plan& draft) {
@@ -136,8 +163,8 @@ void declare_equations(const Scene& scene, Plan& draft) {
     check_turns(scene, all->bonds.back().what);
   }
   all->matrix = matrix_of(all->rows, 2 * count_nodes(draft.bodies));
-  solve_rows(draft, *all);
-  add_two_sided(scene, draft, *all);
+  solve_rows(scene, draft, *all);
+  add_two_sided(scene, draft);
   leave_out_given_pairs(scene, *all, draft);
   draft.modes = motions_left(std::move(draft.modes), free_columns(all->matrix, draft.unknowns),
                              all->solved);
@@ -146,15 +173,6 @@ void declare_equations(const Scene& scene, Plan& draft) {
 }
 
 }  // namespace
-
-bool any_law(const Scene& scene) {
-  const auto has_law = [](const auto& part) { return part.material.law != nullptr; };
-  return std::any_of(scene.bodies.begin(), scene.bodies.end(), [&](const Body& body) {
-    return has_law(body) || std::any_of(body.layers.begin(), body.layers.end(), has_law);
-  });
-}
-
-bool bodies_move(const Scene& scene) { return scene.moves || any_law(scene); }
 
 void register_equations() {
   add_effect({"equations",
@@ -166,7 +184,7 @@ void register_equations() {
               declare_equations, check_springs},
              "rigid motions");
   set_solve_around(solve_two_sided);
-  add_check({"equations", nullptr, nullptr, nullptr, nullptr, judge_equations});
+  add_check({"equations", nullptr, nullptr, nullptr, nullptr, check_bonds});
 }
 
 }  // namespace signorini

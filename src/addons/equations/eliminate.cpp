@@ -11,8 +11,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 /// Beside the largest entry that was added up, a row whose entries are all less than this says nothing new.
 constexpr double nothing = 1e-12;

@@ -44,6 +44,7 @@ struct Bond {
   std::vector<Eigen::Index> nodes = {};  ///< without pairs: those whose forces are told, among all nodes
   std::size_t first = 0;   ///< of its equations
   std::size_t end = 0;     ///< the one after its last
+  std::vector<Equation> between = {};  ///< of a tie, left out because supports hold the node and part of what it faces
   /// Of a rigid side: component and force of what drives it [force].
   std::vector<std::pair<Eigen::Index, double>> loads = {};
 };
@@ -56,7 +57,6 @@ struct Equations {
   std::vector<Eigen::Index> held = {};  ///< numbers of the rows that hold, those that are no springs
   Eliminated solved = {};           ///< for unknowns
   Eigen::SparseMatrix<double> bodies = {};  ///< K of the bodies alone, if they move
-  std::vector<Eigen::Index> two_sided = {};  ///< pairs that never lift off, increasing
 };
 
 /// What a bond carries in sum.
@@ -89,16 +89,14 @@ void add_relation(const Relation& relation, std::size_t number, Plan& draft, Equ
 /// \throws ProblemError for numbers that are not finite, and in axial symmetry
 void add_rigid(const RigidSide& rigid, Plan& draft, Equations& all);
 
-/// \param scene  any \return whether any of its bodies, or of their layers, has a law of finite strain
-[[nodiscard]] bool any_law(const Scene& scene);
-
-/// \param scene  any \return whether its pairs are found where its bodies move to
-[[nodiscard]] bool bodies_move(const Scene& scene);
+/// \param all  equations \param held  given displacements of all nodes `n_nodes x 2` [length]
+/// \return `m` what the equations say of the unknowns then [length]
+[[nodiscard]] Eigen::VectorXd right_sides(const Equations& all, const NodeArray& held);
 
 /// Leaves out pairs that equations let neither open nor close: the forces of the equations are all that can be told there.
 /// And slips that they say are none.
-/// \param scene  for messages \param all  with `solved`; its `two_sided` are counted anew
-/// \param draft  its gaps and law are cut
+/// \param scene  for messages \param all  with `solved`
+/// \param draft  its gaps and law are cut, and `two_sided` is counted anew
 /// \throws ProblemError if such a pair overlaps, or is to stay closed and is open
 void leave_out_given_pairs(const Scene& scene, Equations& all, Plan& draft);
 
@@ -124,6 +122,6 @@ void leave_out_given_pairs(const Scene& scene, Equations& all, Plan& draft);
 /// Measures what is left of the equations of a solution, and finds their forces.
 /// \param model  that was solved \param condensed  from condense() of it
 /// \param solution  Solved; gets `equation_force` and `bond_forces`, and is withdrawn if its certificate no longer holds
-void judge_equations(const Model& model, const Condensed& condensed, Solution& solution);
+void check_bonds(const Model& model, const Condensed& condensed, Solution& solution);
 
 }  // namespace signorini

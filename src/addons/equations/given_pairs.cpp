@@ -3,6 +3,7 @@
 // out, as one between two supports is, and the equation has all of the force.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "addons/equations/bonds.hpp"
@@ -13,12 +14,12 @@
 #include "signorini/core/rounding.hpp"
 #include "signorini/core/wording.hpp"
 #include "signorini/scene/bodies.hpp"
+#include "signorini/scene/pair_up.hpp"
 
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 using Sparse = Eigen::SparseMatrix<double>;
 
 /// Beside the sum of what was added up, that is rounding: elimination lets entries below 1e-12 say nothing.
@@ -28,29 +29,44 @@ bool has_entries(const NodalRows& rows, Index row) {
   return static_cast<bool>(NodalRows::InnerIterator(rows, row));
 }
 
-/// Numbers that rows have where the equations alone move something.
+/// Numbers that rows have where equations and supports alone move something.
 struct Given {
-  Given(const NodalRows& rows, const VectorXd& initial, double sign, const Sparse& T, const VectorXd& s)
-      : reduced(on_free_unknowns(rows, T)),
-        value(initial + sign * (rows * s)),
+  Given(const NodalRows& rows, const VectorXd& initial, double sign, const VectorXd& s)
+      : value(initial + sign * (rows * s)),
         rounding(cancelling * (initial.cwiseAbs() + rows.cwiseAbs() * s.cwiseAbs())) {}
 
-  NodalRows reduced;  // on the unknowns that are left
   VectorXd value;
   VectorXd rounding;  // of it
 };
 
-/// What the unknowns are where those that are left are 0 [length].
-VectorXd given_by(const Equations& all, const Unknowns& unknowns) {
-  VectorXd right = -(all.matrix * Eigen::Map<const VectorXd>(unknowns.held.data(), unknowns.held.size()));
-  for (Index k = 0; k < right.size(); ++k) right(k) += all.rows[at(k)].right;
+/// What the unknowns are where those that are left are 0 [length]. \param held  given displacements of all nodes
+VectorXd given_by(const Equations& all, const Unknowns& unknowns, const NodeArray& held) {
   VectorXd given = VectorXd::Zero(unknowns.count);
-  given(all.solved.unknown) = VectorXd(all.solved.right * right);
+  given(all.solved.unknown) = VectorXd(all.solved.right * right_sides(all, held));
   return given;
+}
+
+/// Contacts are followed by the pairs that are kept.
+void cut_followed(const std::vector<Index>& kept, Plan& draft) {
+  if (!draft.followed) return;
+  std::vector<FollowedContact> followed = *draft.followed;
+  std::size_t pair = 0;
+  for (std::size_t k = 0; k < followed.size(); ++k) {
+    std::vector<Index> own;
+    const std::size_t first = pair;
+    for (; pair < draft.contact_of.size() && draft.contact_of[pair] == k; ++pair)
+      if (std::binary_search(kept.begin(), kept.end(), static_cast<Index>(pair)))
+        own.push_back(static_cast<Index>(pair - first));
+      else
+        followed[k].given.push_back(draft.gaps.pairs.node[pair]);
+    followed[k].gap = VectorXd(followed[k].gap(own));
+  }
+  draft.followed = std::make_shared<const std::vector<FollowedContact>>(std::move(followed));
 }
 
 /// Those of the numbered arrays of pairs that are kept.
 void cut_pairs(const std::vector<Index>& kept, Plan& draft) {
+  cut_followed(kept, draft);
   Gaps& gaps = draft.gaps;
   Pairs& pairs = gaps.pairs;
   for (NodalRows* rows : {&pairs.opening, &pairs.sliding, &gaps.A, &gaps.T})
@@ -65,8 +81,6 @@ void cut_pairs(const std::vector<Index>& kept, Plan& draft) {
   }
   pairs.node.resize(kept.size());
   draft.contact_of.resize(kept.size());
-  // Pairs that are found again where the bodies have moved to would be more than these.
-  draft.followed.reset();
 }
 
 /// Leaves the slips of such pairs out, and those that are given as none.
@@ -92,16 +106,44 @@ std::string in_words(const Scene& scene, const Plan& draft, std::size_t contact)
 }
 
 /// Refuses a pair that no force can close or open.
-void check_given(const Scene& scene, const Plan& draft, const Equations& all, Index pair, double gap,
-                 double rounding) {
+void check_given(const Scene& scene, const Plan& draft, Index pair, double gap, double rounding,
+                 std::optional<double> time) {
+  const std::string when = time ? text(" at time ", *time) : "";
   const std::string place =
       text(in_words(scene, draft, draft.contact_of[at(pair)]), ": the pair at ",
            in_brackets(draft.gaps.pairs.position.row(pair)), " is held by ties, relations or rigid sides and ");
-  require_input(gap >= -rounding, place, "overlaps by ", -gap,
+  require_input(gap >= -rounding, place, "overlaps by ", -gap, when,
                 ". Leave it out there, or change what holds it");
-  const bool stays = std::binary_search(all.two_sided.begin(), all.two_sided.end(), pair);
-  require_input(!stays || gap <= rounding, place, "stays ", gap,
-                " apart, and never lifts off: leave out one of those that hold it");
+  const bool stays = std::binary_search(draft.two_sided.begin(), draft.two_sided.end(), pair);
+  require_input(!stays || gap <= rounding, place, "stays ", gap, " apart", when,
+                ", and never lifts off: leave out one of those that hold it");
+}
+
+/// Asks it of pairs at a time. \param given  their numbers \param held  displacements that supports give then
+void check_gaps(const Scene& scene, const Plan& draft, const Equations& all,
+                const std::vector<Index>& given, const NodeArray& held, std::optional<double> time) {
+  const Gaps& gaps = draft.gaps;
+  const VectorXd moved = (held - draft.unknowns.held).reshaped<Eigen::RowMajor>();
+  const Given opening(gaps.A, gaps.pairs.initial_gap + gaps.pairs.opening * moved, -1,
+                      given_by(all, draft.unknowns, held));
+  for (const Index pair : given) {
+    const Eigen::Vector2d x = gaps.pairs.position.row(pair).transpose();
+    const double to_come =
+        interference_to_come(scene, scene.contacts[draft.contact_of[at(pair)]], x, time);
+    check_given(scene, draft, pair, opening.value(pair) + to_come,
+                gap_rounding(gaps.pairs) + opening.rounding(pair), time);
+  }
+}
+
+/// Marks pairs that equations and supports make slide at a time.
+void see_slips(const Plan& draft, const Equations& all, const NodeArray& held, std::vector<bool>& slides) {
+  const Gaps& gaps = draft.gaps;
+  const VectorXd moved = (held - draft.unknowns.held).reshaped<Eigen::RowMajor>();
+  const Given sliding(gaps.T, gaps.initial_slip + gaps.pairs.sliding * moved, 1,
+                      given_by(all, draft.unknowns, held));
+  for (Index pair = 0; pair < sliding.value.size(); ++pair)
+    if (std::abs(sliding.value(pair)) > gap_rounding(gaps.pairs) + sliding.rounding(pair))
+      slides[at(pair)] = true;
 }
 
 /// Where bodies move, pairs are found again and again, and it would have to be asked of each.
@@ -126,6 +168,12 @@ void note_given(const Scene& scene, const std::vector<Index>& given, Plan& draft
 
 }  // namespace
 
+VectorXd right_sides(const Equations& all, const NodeArray& held) {
+  VectorXd right = -(all.matrix * Eigen::Map<const VectorXd>(held.data(), held.size()));
+  for (Index k = 0; k < right.size(); ++k) right(k) += all.rows[at(k)].right;
+  return right;
+}
+
 NodalRows on_free_unknowns(const NodalRows& rows, const Sparse& by_free) {
   NodalRows found = rows * by_free;
   const NodalRows terms = rows.cwiseAbs() * by_free.cwiseAbs();
@@ -140,39 +188,35 @@ NodalRows on_free_unknowns(const NodalRows& rows, const Sparse& by_free) {
 }
 
 void leave_out_given_pairs(const Scene& scene, Equations& all, Plan& draft) {
-  const Gaps& gaps = draft.gaps;
-  const Index count = gaps.A.rows();
+  const Index count = draft.gaps.A.rows();
   if (count == 0) return;
   const Sparse T = by_free_unknowns(all.solved, draft.unknowns.count);
-  const VectorXd s = given_by(all, draft.unknowns);
-  const Given opening(gaps.A, gaps.pairs.initial_gap, -1, T, s);
+  const NodalRows free = on_free_unknowns(draft.gaps.A, T);
   std::vector<Index> kept;
   std::vector<Index> given;
-  for (Index pair = 0; pair < count; ++pair) {
-    (has_entries(opening.reduced, pair) ? kept : given).push_back(pair);
-    if (has_entries(opening.reduced, pair)) continue;
-    check_moves(scene, draft, pair);
-    check_given(scene, draft, all, pair, opening.value(pair),
-                gap_rounding(gaps.pairs) + opening.rounding(pair));
-  }
+  for (Index pair = 0; pair < count; ++pair) (has_entries(free, pair) ? kept : given).push_back(pair);
+  for (const Index pair : given) check_moves(scene, draft, pair);
   std::vector<bool> slides(at(count), true);
   if (!draft.law.pair.empty()) {
-    const Given sliding(gaps.T, gaps.initial_slip, 1, T, s);
-    for (Index pair = 0; pair < count; ++pair)
-      slides[at(pair)] = has_entries(sliding.reduced, pair) ||
-                         std::abs(sliding.value(pair)) > gap_rounding(gaps.pairs) + sliding.rounding(pair);
-    for (const Index pair : draft.law.pair)
-      if (!slides[at(pair)]) check_moves(scene, draft, pair);
-    cut_law(kept, slides, draft.law);
+    const NodalRows sliding = on_free_unknowns(draft.gaps.T, T);
+    for (Index pair = 0; pair < count; ++pair) slides[at(pair)] = has_entries(sliding, pair);
   }
+  if (given.empty() && std::count(slides.begin(), slides.end(), false) == 0) return;
+  each_given(scene, draft, [&](const NodeArray& held, std::optional<double> time) {
+    check_gaps(scene, draft, all, given, held, time);
+    if (!draft.law.pair.empty()) see_slips(draft, all, held, slides);
+  });
+  for (const Index pair : draft.law.pair)
+    if (!slides[at(pair)]) check_moves(scene, draft, pair);
+  cut_law(kept, slides, draft.law);
   if (given.empty()) return;
   note_given(scene, given, draft);
   cut_pairs(kept, draft);
   std::vector<Index> two_sided;
   for (std::size_t k = 0; k < kept.size(); ++k)
-    if (std::binary_search(all.two_sided.begin(), all.two_sided.end(), kept[k]))
+    if (std::binary_search(draft.two_sided.begin(), draft.two_sided.end(), kept[k]))
       two_sided.push_back(static_cast<Index>(k));
-  all.two_sided = std::move(two_sided);
+  draft.two_sided = std::move(two_sided);
 }
 
 }  // namespace signorini

@@ -10,9 +10,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 using SparseVector = Eigen::SparseVector<double>;
 
 /// A share of a motion that is no more than this is rounding.

@@ -16,8 +16,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::Vector2d;
+using Eigen::Index, Eigen::Vector2d;
 
 /// A term with its nodes among those of all bodies.
 struct Placed {

@@ -13,8 +13,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 using Sparse = Eigen::SparseMatrix<double>;
 
 /// A spring k times as stiff as what it joins differs from the equation in its place by 1 / k. Entries of K are rounded by epsilon

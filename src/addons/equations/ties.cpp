@@ -15,8 +15,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::Vector2d;
+using Eigen::Index, Eigen::Vector2d;
 
 /// Of a row that is a combination, what is left of entries that cancel.
 constexpr double left_over = 1e-14;
@@ -93,7 +92,8 @@ void note_unpaired(const std::string& what, const Pairs& pairs, Plan& draft) {
   if (!pairs.unpaired.empty())
     draft.notes.push_back(text(what, ": ", pairs.unpaired.size(),
                                pairs.unpaired.size() == 1 ? " node faces" : " nodes face",
-                               " no target and hold nothing"));
+                               " no target and ",
+                               pairs.unpaired.size() == 1 ? "holds" : "hold", " nothing"));
 }
 
 void check_tie(const ContactSpec& sides, const std::string& what, const Pairs& pairs) {
@@ -143,7 +143,7 @@ void add_tie(const Tie& tie, Plan& draft, Equations& all) {
   for (Index pair = 0; pair < bond.pairs.initial_gap.size() && !tie.stiffness; ++pair) {
     const Index node = first_node + bond.pairs.node[at(pair)];
     for (Equation& row : rows_of(bond.pairs, slips, pair, node, draft, tie.slides))
-      if (!between_supports(draft, row, row.own)) all.rows.push_back(std::move(row));
+      (between_supports(draft, row, row.own) ? bond.between : all.rows).push_back(std::move(row));
   }
   bond.end = all.rows.size();
   const bool rigid = std::holds_alternative<Obstacle>(tie.sides.target);

@@ -12,13 +12,12 @@
 #include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/scene/bodies.hpp"
+#include "signorini/scene/pair_up.hpp"
 
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 /// The first guess has these pairs stuck, so few turn round later. A loop that needs more solutions does not end.
 constexpr int most_solutions = 25;
@@ -74,7 +73,11 @@ class Turned {
         condensed_(condensed),
         sign_(VectorXd::Ones(model.programme.A.rows())),
         pairs_(condensed.problem.free_gap.size()) {
-    model_.followed.reset();  // pairs that are found again face the other way
+    if (!model_.followed) return;
+    std::vector<FollowedContact> followed = *model_.followed;
+    for (const Index pair : model_.two_sided)  // found again, they would face the other way
+      followed[model_.contact_of[at(pair)]].linear = true;
+    model_.followed = std::make_shared<const std::vector<FollowedContact>>(std::move(followed));
   }
 
   void turn(const std::vector<Index>& some);
@@ -201,7 +204,7 @@ bool turn_anew(const std::vector<Index>& open, Turned& side, std::set<std::vecto
 
 Solution solve_two_sided(SolveCondensed way, const Model& model, const Condensed& condensed,
                          const Solver& solver, Ledger ledger, const SolverOptions& options) {
-  const std::vector<Index>& pairs = model.equations->two_sided;
+  const std::vector<Index>& pairs = model.two_sided;
   if (pairs.empty()) return way(model, condensed, solver, std::move(ledger), options);
   Turned side(model, condensed);
   side.turn(in_tension(condensed.problem, model.law, pairs));

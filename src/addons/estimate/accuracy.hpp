@@ -27,7 +27,7 @@ struct Accuracy {
                          Ledger ledger)>
       solve = {};
   /// Says what no finer mesh mends, as point_supports() of the add-on checks; empty: nothing is asked
-  std::function<std::vector<std::string>(const Model& model, const Solution& solution)> doubts = {};
+  std::function<std::vector<std::string>(const Model& model, const Solution& solution)> warnings = {};
 };
 
 /// What one mesh came to.
@@ -86,7 +86,7 @@ struct AccurateSolution {
 /// eighth that a round aims at.
 ///
 /// Meshes too coarse for an estimate, see marks_where_coarse(), are refined before anything is estimated. From then
-/// on each cell's share of the error falls to the chords that cross it, see chords(): halving a chord leaves a quarter
+/// on each cell's share of the error falls to the refinement lines that cross it, see refinement_lines(): halving one leaves a quarter
 /// of its share, for as many new nodes as it has edges. The cheapest ones are halved, some more than once, until a
 /// eighth of the error or somewhat less than the target is left, see mark_elements(), and there are twice the nodes, or half as
 /// many again if only the estimate is too large on a mesh that would confirm. What
@@ -94,7 +94,7 @@ struct AccurateSolution {
 /// contact ends, and what a curved outline leaves to its sides.
 ///
 /// A value that is nothing beside what it is a sum of, see terms_of(), is 0, and no error can be compared with it. What
-/// Accuracy::doubts says of the first mesh that resolves contact ends it.
+/// Accuracy::warnings says of the first mesh that resolves contact ends it.
 ///
 /// Where no contact closes, or refinement closes no more pairs of one that it does not resolve, all cells are halved,
 /// twice at most for either, before that is the verdict: coarse meshes are too stiff.

@@ -8,8 +8,7 @@
 
 namespace signorini {
 
-using Eigen::Index;
-using Eigen::Vector2d;
+using Eigen::Index, Eigen::Vector2d;
 
 std::map<Index, std::vector<Bulge>> bulges(const Mesh& mesh) {
   std::map<Index, std::vector<Bulge>> of_cell;

@@ -9,8 +9,7 @@
 
 namespace signorini {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 std::size_t source_index(const Model& model, Index pair) {
   return body_of_node(model.bodies, model.pairs.node[at(pair)]);

@@ -6,8 +6,7 @@
 
 namespace signorini {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 std::vector<ContactEnd> contact_ends(const std::vector<ContactEdge>& edges,
                                      const Solution& solution, const Dual& dual) {

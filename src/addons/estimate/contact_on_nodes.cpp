@@ -8,9 +8,7 @@
 
 namespace signorini {
 
-using Eigen::Index;
-using Eigen::Vector2d;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::Vector2d, Eigen::VectorXd;
 
 ContactOnNodes::ContactOnNodes(const Model& model, const BodyModel& body)
     : opening_(model.pairs.opening.middleCols(2 * body.first_node, 2 * body.mesh.n_nodes())),

@@ -10,8 +10,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 ActiveSet set_of(const Solution& solution, const ScaledProblem& scaled) {
   const ContactState& contact = solution.contact;
@@ -37,7 +36,7 @@ Dual::Dual(const Model& model, const Condensed& condensed, const Solution& solut
         "mortar, or fewer points");
   };
   if (slides()) {
-    transposed_ = LuFactor(closing_matrix(scaled_, set_.closed, set_).transpose());
+    transposed_ = LuFactor(active_set_matrix(scaled_, set_.closed, set_).transpose());
     unique(transposed_.rcond() > std::numeric_limits<double>::epsilon());
   } else {
     system_ = active_set_system(scaled_, set_);

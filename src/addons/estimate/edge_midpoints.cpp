@@ -8,8 +8,7 @@
 
 namespace signorini {
 
-using Eigen::Index;
-using Eigen::Vector2d;
+using Eigen::Index, Eigen::Vector2d;
 
 EdgeMidpoints::EdgeMidpoints(const Mesh& mesh, const MeshEdges& edges, std::vector<char> halved)
     : mesh_(mesh),

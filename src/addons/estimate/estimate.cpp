@@ -15,8 +15,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 /// Displacements of the nodes of a body, zero where they are held.
 NodeArray of_body(const BodyModel& body, const VectorXd& displacement) {

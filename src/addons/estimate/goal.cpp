@@ -19,9 +19,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::Vector2d;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::Vector2d, Eigen::VectorXd;
 
 /// A goal that is a sum of displacements of the nodes of one body.
 struct NodeSum {
@@ -137,7 +135,7 @@ double force_of(const HertzFit& ellipse, const Model& model, const Profile& read
 }
 
 /// How far the half-width by the moment of the forces is from that of an ellipse of the fitted peak that bears their sum.
-double misfit_of_width(const Model& model, const Profile& read, double half_width) {
+double error_of_width(const Model& model, const Profile& read, double half_width) {
   const double borne = std::accumulate(read.force.begin(), read.force.end(), 0.0);
   const double part = borne / force_of({peak_of(read), half_width}, model, read) - 1;
   return half_width * std::abs(part) / (read.line.footprint == Footprint::Circle ? 2 : 1);
@@ -302,7 +300,7 @@ double model_error(const Model& model, const Solution& solution, const Goal& goa
     const double all = value(model, solution, goal);
     try {
       const Profile read = profile(model, solution, width->contact, width->middle);
-      return std::min(all, misfit_of_width(model, read, all));
+      return std::min(all, error_of_width(model, read, all));
     } catch (const std::invalid_argument&) {
       return all;
     }

@@ -14,8 +14,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::Vector2d;
+using Eigen::Index, Eigen::Vector2d;
 
 /// Where a contact begins: the place of its smallest gap, of several the first. In axial symmetry it begins on the axis if
 /// the side that this place is on does: of three nodes that side has a pair in its middle, and none on the axis.

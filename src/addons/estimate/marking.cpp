@@ -174,23 +174,23 @@ bool mark_thin(const BodyModel& body, MarkedEdges& marks) {
   return any;
 }
 
-/// A chord that may be halved.
+/// A line that may be halved.
 struct Candidate {
   double gain;  ///< what it loses for a new node
   std::size_t body;
-  Index chord;
+  Index line;
   double share;  ///< of the error that falls to it now
   double nodes;  ///< that halving it adds
 
   bool operator<(const Candidate& other) const {
-    return std::tie(gain, other.body, other.chord) < std::tie(other.gain, body, chord);
+    return std::tie(gain, other.body, other.line) < std::tie(other.gain, body, line);
   }
 };
 
-/// The chords of all bodies, the one first whose halving pays most.
-struct Chords {
-  std::vector<std::vector<Index>> of_edge;  ///< the chord of each edge, body by body
-  std::vector<std::vector<char>> halved;    ///< how often each chord is
+/// The lines of all bodies, the one first whose halving pays most.
+struct RefinementLines {
+  std::vector<std::vector<Index>> of_edge;  ///< the line of each edge, body by body
+  std::vector<std::vector<char>> halved;    ///< how often each line is
   double share = 0;                         ///< of the error, on all of them
   std::priority_queue<Candidate> queue;
 
@@ -200,28 +200,28 @@ struct Chords {
     const std::vector<Index>& own = of_edge.emplace_back(refinement_lines(mesh, edges));
     const std::size_t count = at(1 + *std::max_element(own.begin(), own.end()));
     halved.emplace_back(count, 0);
-    std::vector<double> of_chord(count, 0);
+    std::vector<double> of_line(count, 0);
     std::vector<double> nodes(count, 0);
     for (std::size_t e = 0; e < own.size(); ++e) {
-      of_chord[at(own[e])] += shares[e];
+      of_line[at(own[e])] += shares[e];
       nodes[at(own[e])] += per_edge;
     }
     for (std::size_t c = 0; c < count; ++c) {
-      share += of_chord[c];
-      queue.push({of_chord[c] / nodes[c], of_edge.size() - 1, static_cast<Index>(c), of_chord[c],
+      share += of_line[c];
+      queue.push({of_line[c] / nodes[c], of_edge.size() - 1, static_cast<Index>(c), of_line[c],
                   nodes[c]});
     }
   }
 
-  /// Whether halving helps. \return a chord has a share of the error
+  /// Whether halving helps. \return a line has a share of the error
   [[nodiscard]] bool any() const { return !queue.empty() && queue.top().share != 0; }
 
-  /// Halves the first chord. A quarter of its error stays. \return how many nodes are new
+  /// Halves the first line. A quarter of its error stays. \return how many nodes are new
   double halve_worst() {
     Candidate next = queue.top();
     queue.pop();
     const double nodes = next.nodes;
-    char& times = halved[next.body][at(next.chord)];
+    char& times = halved[next.body][at(next.line)];
     ++times;
     share -= 0.75 * next.share;
     next.share /= 4;
@@ -242,17 +242,17 @@ std::vector<MarkedEdges> mark_elements(const Model& model, const Solution& solut
   add_cells(model, marks, estimate, shares);
   add_contact(model, solution, estimate, pair_sides(model, marks), shares);
   add_outline(marks, estimate, shares);
-  Chords chords;
+  RefinementLines lines;
   double missing = 0;  // new nodes
   for (std::size_t b = 0; b < marks.size(); ++b) {
     missing += (growth - 1) * static_cast<double>(model.bodies[b].mesh.n_nodes());
-    chords.add_body(model.bodies[b].mesh, marks[b].edges, shares[b]);
+    lines.add_body(model.bodies[b].mesh, marks[b].edges, shares[b]);
   }
-  const double enough = part * chords.share;
-  while ((chords.share > enough || missing > 0) && chords.any()) missing -= chords.halve_worst();
+  const double enough = part * lines.share;
+  while ((lines.share > enough || missing > 0) && lines.any()) missing -= lines.halve_worst();
   for (std::size_t b = 0; b < marks.size(); ++b)
-    for (std::size_t e = 0; e < chords.of_edge[b].size(); ++e)
-      marks[b].halved[e] = chords.halved[b][at(chords.of_edge[b][e])];
+    for (std::size_t e = 0; e < lines.of_edge[b].size(); ++e)
+      marks[b].halved[e] = lines.halved[b][at(lines.of_edge[b][e])];
   return marks;
 }
 

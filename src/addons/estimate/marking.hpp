@@ -9,12 +9,12 @@
 
 namespace signorini {
 
-/// Marks the cheapest chords whose halving leaves a part of the error.
+/// Marks the cheapest refinement lines whose halving leaves a part of the error.
 ///
-/// Halving a chord leaves a quarter of what falls to it, for as many new nodes as it has edges. Chords
+/// Halving one leaves a quarter of what falls to it, for as many new nodes as it has edges. Lines
 /// are taken by what they lose for a node, also for the second and further times, until no more than
-/// `part` is left and there are `growth` times the nodes, or all chords are that have a share. The interior part falls to cells by the sizes of their shares, and from these to
-/// their chords by Estimate::first_direction, of triangles to their longest side; what gap and reading
+/// `part` is left and there are `growth` times the nodes, or all lines are that have a share. The interior part falls to cells by the sizes of their shares, and from these to
+/// their refinement lines by Estimate::first_direction, of triangles to their longest side; what gap and reading
 /// add, to the closed sides of the sources by the third power of their lengths; the free boundary, to
 /// the sides where contact ends; the outline, to the sides that it leaves.
 /// \param model     that was solved

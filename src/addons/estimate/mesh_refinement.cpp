@@ -11,8 +11,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::Vector2d;
+using Eigen::Index, Eigen::Vector2d;
 
 /// A corner of a piece as a point of the cell that was cut. Of a cell of n corners, the corners are the points 0 to
 /// n - 1, the middles of its sides n to 2n - 1, and its own middle is 2n.

@@ -13,9 +13,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::Vector2d;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::Vector2d, Eigen::VectorXd;
 
 /// A boundary whose mean displacement is asked for.
 struct Mean {

@@ -11,8 +11,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::Vector2d;
+using Eigen::Index, Eigen::Vector2d;
 
 }  // namespace
 

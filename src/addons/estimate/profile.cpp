@@ -11,9 +11,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::Vector2d;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::Vector2d, Eigen::VectorXd;
 
 /// The part of a walk around a body that runs on along a line from one of its pairs, and does not turn back.
 /// \param ring  whether the first pair follows on the last

@@ -10,8 +10,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::Vector2d;
+using Eigen::Index, Eigen::Vector2d;
 
 /// Numbers of the nodes of cells, other ones for every material. \param[out] count  of the numbers
 CellArray numbered_by_material(const Mesh& mesh, const MaterialField& material, Index& count) {

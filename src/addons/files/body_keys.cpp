@@ -13,8 +13,7 @@
 
 namespace signorini {
 
-using Eigen::Index;
-using Eigen::Vector2d;
+using Eigen::Index, Eigen::Vector2d;
 
 template <>
 const std::vector<Word<PlaneState>> words_of<PlaneState> = {

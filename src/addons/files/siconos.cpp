@@ -10,9 +10,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 /// A whole number on this line or below.
 Index whole_below(TextReader& in, const std::string& what, Index least, Index most) {

@@ -12,9 +12,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 bool is_equation(const TwoSidedProgramme& programme, Index row) {
   return programme.lower(row) == programme.upper(row);

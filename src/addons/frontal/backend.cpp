@@ -9,8 +9,7 @@
 
 namespace signorini {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 std::vector<MissingBackend> missing_backends() {
   std::vector<MissingBackend> missing = {SIGNORINI_OTHER_BACKENDS};

@@ -6,9 +6,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 using Block = Eigen::Ref<MatrixXd>;
 using Constant = Eigen::Ref<const MatrixXd>;
 

@@ -12,9 +12,7 @@
 
 namespace signorini {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 /// Carries the rows of A up the tree, and collects what the fronts on their paths contribute.
 class FrontalFactor::Walk {

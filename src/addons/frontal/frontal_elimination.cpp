@@ -11,9 +11,7 @@
 
 namespace signorini {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 /// Works through the fronts, part by part. Within a part a stack holds what those below hand to those above; what the last
 /// front of a part hands on is kept until the part above has taken it.

@@ -10,8 +10,7 @@
 
 namespace signorini {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 namespace {
 

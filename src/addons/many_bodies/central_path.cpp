@@ -10,8 +10,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 // What is compared with relative changes: 1 would let a factor vanish. The path does not depend on these numbers; only the number
 // of steps does.

@@ -10,9 +10,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::Vector2d;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::Vector2d, Eigen::VectorXd;
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
 /// The forces of a pair that slides with a friction force at its bound, sign (mu lambda + c); negative lambda where none do.

@@ -14,8 +14,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 /// Sets that Newton's method may look at: it needs five to ten, or runs in circles.
 constexpr Index most_sets = 50;

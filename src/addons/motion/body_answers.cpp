@@ -21,8 +21,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 /// One cell among the unknowns of all bodies.
 struct Numbers {

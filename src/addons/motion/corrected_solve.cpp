@@ -29,9 +29,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 /// A factor costs as much as a dozen solves with it, and a correction two of them and a search: more of them cost more than
 /// the iteration that they save.

@@ -24,8 +24,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 /// How far the unknowns have moved, less the mean of their body: a body that is carried far is no better measured by that. At
 /// least so much that certificate_tolerance of it is the rounding of places: bodies that only touch, and bear nothing, leave no more.

@@ -20,6 +20,9 @@ void check_contact(const ContactSpec& contact, const Plan& draft) {
                   what, ": gaps of bodies that move must not jump as nodes pass from side to side, as ",
                   "those of the operator ", contact.gap_operator, " do here: take operator = ",
                   "\"mortar\" with quadrature = \"segments\"");
+  const Obstacle* const obstacle = std::get_if<Obstacle>(&contact.target);
+  require_input(obstacle == nullptr || !obstacle->of_mesh, what, ": this obstacle is made for small movements, and bodies of "
+                "this scene move: take kind = \"disc\", of the radius of the hole less the clearance, at hole_centre + shift");
   require_input(contact.interference.value_or(0) == 0 && contact.adjust.value_or(0) == 0, what,
                 ": gaps of bodies that move are those of the meshes: draw ",
                 contact.adjust.value_or(0) == 0 ? "the interference" : "adjusted gaps",

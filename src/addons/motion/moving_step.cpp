@@ -29,8 +29,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 /// More iterations are not waited for. A loop that shrinks an error to a fifth each time needs 18 from 1 to 1e-12; one that
 /// needs more than this many is none that ends.
@@ -58,7 +57,7 @@ struct Moving {
   Solution linear_problem();
   bool goes_to(const Solution& solution);
   [[nodiscard]] bool holds_here(Solution& solution, const std::vector<PairName>& names,
-                                const std::vector<Index>& rubbing) const;
+                                const std::vector<Index>& frictional) const;
   void hand_on(const std::vector<PairName>& names, const std::vector<ContactStatus>& statuses);
   void begin(const VectorXd& expected);
   bool ends(Solution& solution);
@@ -124,8 +123,8 @@ void read_movements(const VectorXd& movement, ContactState& contact) {
 
 /// Whether what was solved, with these pairs, holds of the equations that are found where it leads to.
 bool Moving::holds_here(Solution& solution, const std::vector<PairName>& names,
-                        const std::vector<Index>& rubbing) const {
-  if (names_of_pairs(model) != names || model.law.pair != rubbing) return false;
+                        const std::vector<Index>& frictional) const {
+  if (names_of_pairs(model) != names || model.law.pair != frictional) return false;
   const Certificate here = place.certificate(solution);
   if (!here.holds()) return false;
   solution.certificate = here;
@@ -168,12 +167,12 @@ void Moving::begin(const VectorXd& expected) {
 bool Moving::ends(Solution& solution) {
   while (++iteration <= most_iterations) {
     const std::vector<PairName> names = names_of_pairs(model);
-    const std::vector<Index> rubbing = model.law.pair;
+    const std::vector<Index> frictional = model.law.pair;
     solution = linear_problem();
     ledger = std::move(solution.ledger);
     if (solution.contact.report.status != SolveStatus::Solved) return false;
     const bool gone = goes_to(solution);
-    if (gone && holds_here(solution, names, rubbing)) return true;
+    if (gone && holds_here(solution, names, frictional)) return true;
     if (!gone) {
       held = held_rows(all_statuses(solution.contact), model.law);
       break;
@@ -197,9 +196,9 @@ Solution Moving::solved(const VectorXd& expected) {
     begin(expected);
     if (ends(solution)) {
       place.conclude(solution);
-      judge_turns(model, solution);
+      check_rotations(model, solution);
       if (solution.contact.report.status == SolveStatus::Solved)
-        judge_solution(model, condensed, solution);
+        check_solution(model, condensed, solution);
     }
   } catch (const ProblemError&) {
     restore();

@@ -10,6 +10,8 @@
 #include <cmath>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/plane.hpp"
+#include "signorini/core/wording.hpp"
 
 namespace signorini {
 namespace {
@@ -20,6 +22,24 @@ using Eigen::Index;
 constexpr double noted_turn = 1e-3;
 /// Makes strains of 5e-5, and places beside the right one [rad].
 constexpr double refused_turn = 1e-2;
+
+/// The first cell whose corners run clockwise where they have moved, in words; nothing if none does.
+std::string inside_out(const BodyModel& body, const NodeArray& displacements) {
+  const Mesh& mesh = body.mesh;
+  for (Index cell = 0; cell < mesh.n_cells(); ++cell) {
+    const auto corner = [&](int k) -> Eigen::Vector2d {
+      return (mesh.nodes.row(mesh.cells(cell, k)) + displacements.row(mesh.cells(cell, k))).transpose();
+    };
+    double twice_area = 0;
+    for (int k = 1; k + 1 < mesh.corners(cell); ++k)
+      twice_area += cross(corner(k) - corner(0), corner(k + 1) - corner(0));
+    if (twice_area <= 0)
+      return text("cell ", cell, " of '", mesh.name, "' at ", in_brackets(mesh.nodes.row(mesh.cells(cell, 0))),
+                  " is turned inside out, which small strain does not resist. Give its material a law of finite "
+                  "strain (law = \"neo_hooke\"), or take smaller loads");
+  }
+  return "";
+}
 
 }  // namespace
 
@@ -42,17 +62,23 @@ double mean_turn(const Mesh& mesh, const MeshPiece& piece, const NodeArray& disp
   return std::atan2(sum(1, 0) - sum(0, 1), sum(0, 0) + sum(1, 1));
 }
 
-void judge_turns(const Model& model, Solution& solution) {
+void check_rotations(const Model& model, Solution& solution) {
   double most = 0;
   std::size_t of = 0;
-  for (std::size_t b = 0; b < model.bodies.size(); ++b)
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    if (model.bodies[b].material.base.law != nullptr) continue;
+    if (std::string folded = inside_out(model.bodies[b], solution.displacements[b]); !folded.empty()) {
+      solution.contact.report.status = SolveStatus::TurnedTooFar;
+      solution.contact.reason = std::move(folded);
+      return;
+    }
     for (const MeshPiece& piece : model.bodies[b].pieces) {
-      if (model.bodies[b].material.base.law != nullptr) continue;
       const double turn = mean_turn(model.bodies[b].mesh, piece, solution.displacements[b]);
       if (std::abs(turn) <= std::abs(most)) continue;
       most = turn;
       of = b;
     }
+  }
   if (std::abs(most) <= noted_turn) return;
   const std::string words =
       text("body '", model.bodies[of].mesh.name, "' has turned by ", most,

@@ -16,9 +16,9 @@ namespace signorini {
                                const NodeArray& displacements);
 
 /// Small strain takes a turn for a strain of half its square, and turns no stress. Notes a body that has turned by more than
-/// 1e-3, and withdraws a solution in which one has turned by more than 1e-2, as `TurnedTooFar`.
+/// 1e-3, and withdraws a solution in which one has turned by more than 1e-2 or a cell is turned inside out, as `TurnedTooFar`.
 /// \param model     that was solved
 /// \param[in,out] solution  of it, Solved
-void judge_turns(const Model& model, Solution& solution);
+void check_rotations(const Model& model, Solution& solution);
 
 }  // namespace signorini

@@ -8,8 +8,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 /// Some cells of a body as a mesh of their own, without boundaries: the first ones, and among them one that the
 /// element is for.

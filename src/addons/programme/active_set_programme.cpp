@@ -9,8 +9,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 ConstraintRows rows_of(ProgrammeRows& programme) {
   ConstraintRows rows;

@@ -21,8 +21,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 using Rows = std::vector<Index>;
 
 /// Sets to 0 what may be rounding alone.
@@ -71,9 +70,9 @@ DenseSolution claimed(const DenseCondensed& condensed, const ProgrammeRows& data
   for (Index& row : state.active) row += data.equations();
   solution.active = std::move(state.active);
   solution.gap = of_all_rows(state.gap, data.count());
+  const auto transposed = condensed.factor.lower().transpose().triangularView<Eigen::Upper>();
   solution.refined.displacement =
-      condensed.free_displacement -
-      condensed.factor.solve_transposed_half(condensed.half * state.force);
+      condensed.free_displacement - transposed.solve(condensed.half * state.force);
   solution.refined.force = of_all_rows(state.force, data.count());
   if (state.farkas_certificate.size() > 0)
     solution.farkas_certificate = of_all_rows(state.farkas_certificate, data.count());

@@ -13,9 +13,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 /// Handing a residual on helps if it arrives where it matters less. So of a column of shares two
 /// numbers count: who feels it most, and how much less the next one feels, relative to that.

@@ -8,9 +8,7 @@
 
 namespace signorini {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 std::optional<EquationSplit> split_by_equations(const DenseProgramme& programme, double spring) {
   if (programme.equations == 0) return {};

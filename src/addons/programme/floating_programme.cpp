@@ -12,9 +12,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 void check(const DenseProgramme& programme, const MatrixXd& N) {
   check_sizes(programme);

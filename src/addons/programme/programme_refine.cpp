@@ -11,8 +11,7 @@
 
 namespace signorini {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 /// What one refinement works with.
 struct ProgrammeRows::Work {
@@ -86,7 +85,7 @@ ProgrammeRows::Refined ProgrammeRows::refine(ActiveSetFactor& basis) {
   Work work;
   basis.solve(work.force);
   refined.solution.displacement = displacement();
-  if (beyond_doubt(basis, refined, work.force)) return refined;
+  if (certain(basis, refined, work.force)) return refined;
   work.force.conservativeResize(k);
   work.raw.resize(k);
   work.closed.resize(k, unknowns());
@@ -165,7 +164,7 @@ bool ProgrammeRows::balances(const ActiveSetFactor& basis, const PrimalDual& sol
 
 /// Whether the solution satisfies all conditions so well, and all rows are so far from the wrong side,
 /// that twice the working precision could not change anything but the last digits.
-bool ProgrammeRows::beyond_doubt(const ActiveSetFactor& basis, Refined& refined,
+bool ProgrammeRows::certain(const ActiveSetFactor& basis, Refined& refined,
                                  const VectorXd& force) {
   const VectorXd& displacement = refined.solution.displacement;
   const double size = displacement.cwiseProduct(root_).norm();

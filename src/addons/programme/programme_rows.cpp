@@ -14,11 +14,10 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 /// How far a row of this weight can move when the unknowns move so far; a row without entries cannot.
-double reach(double stretch, double weight) { return weight > 0 ? stretch / weight : 0; }
+double movement_within(double stretch, double weight) { return weight > 0 ? stretch / weight : 0; }
 
 /// What each equation adds to K: along its own row as much as the unknowns of the row resist together, so that it swamps none of
 /// them; where K has nothing for them, as much as it has in the mean, or 1.
@@ -181,7 +180,7 @@ void ProgrammeRows::gaps(const ActiveSetFactor& basis, VectorXd& gap, VectorXd& 
   if (size == 0) return;
   solve_lower_transposed(factor_.lower(), moved_);
   gap.noalias() += programme_.A * moved_;
-  for (Index i = 0; i < gap.size(); ++i) rounding(i) += reach(size, weight_(i));
+  for (Index i = 0; i < gap.size(); ++i) rounding(i) += movement_within(size, weight_(i));
 }
 
 void ProgrammeRows::fetch(const VectorXd& gap, const VectorXd& rounding,

@@ -114,7 +114,7 @@ class ProgrammeRows {
   void correct(const ActiveSetFactor& basis, Refined& refined, Work& work);
   [[nodiscard]] double force_size(const Eigen::VectorXd& force) const;
   [[nodiscard]] double one_rounding(Eigen::Index row, double stretch) const;
-  [[nodiscard]] bool beyond_doubt(const ActiveSetFactor& basis, Refined& refined,
+  [[nodiscard]] bool certain(const ActiveSetFactor& basis, Refined& refined,
                                   const Eigen::VectorXd& force);
   [[nodiscard]] bool presses(const ActiveSetFactor& basis, Refined& refined,
                              const Eigen::VectorXd& force) const;

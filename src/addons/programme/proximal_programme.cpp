@@ -16,9 +16,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 using Rows = std::vector<Index>;
 
 /// A programme in units of its own: u = unknown * u', and a row of A u = g is multiplied by `row`.

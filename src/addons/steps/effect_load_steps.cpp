@@ -12,8 +12,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 void check_increasing(const std::vector<double>& times, const std::string& what) {
   for (std::size_t k = 0; k < times.size(); ++k) {
@@ -60,12 +59,9 @@ class Sorting {
     for (std::size_t b = 0; b < scene.bodies.size(); ++b) sort_body(b);
     for (std::size_t pair = 0; pair < draft.contact_of.size(); ++pair) {
       const ContactSpec& contact = scene.contacts[draft.contact_of[pair]];
-      if (contact.interference.value_or(0) == 0) continue;
       const auto row = static_cast<Index>(pair);
-      double& own = find(contact.interference_history).interference(row);
-      own = *contact.interference;
-      if (contact.interference_share)
-        own *= contact.interference_share(draft.gaps.pairs.position.row(row).transpose());
+      const Eigen::Vector2d x = draft.gaps.pairs.position.row(row).transpose();
+      find(contact.interference_history).interference(row) = interference_at(contact, x);
     }
     for (const ContactSpec& contact : scene.contacts)
       if (contact.interference.value_or(0) != 0) ++entries_[contact.interference_history];
@@ -200,14 +196,6 @@ void check_history(const History& history) {
   check_increasing(history.times, what);
   for (const double value : history.values)
     require_input(std::isfinite(value), what, ": every value must be finite, got ", value);
-}
-
-double factor_of(const Path& path, const LoadPart& part, double time) {
-  for (const History& history : path.histories)
-    if (history.name == part.history) return history.at(time);
-  require_input(part.history.empty(), "no history of the path is called '", part.history,
-                "', which a part of the loads follows");
-  return 1;  // it is always there
 }
 
 History proportional(const std::string& name) { return {name, {0, 1}, {0, 1}}; }

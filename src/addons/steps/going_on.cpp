@@ -3,6 +3,7 @@
 // A state is all that the next step has to know. Whoever goes on from one that was saved may have changed the scene
 // meanwhile. So a state is only taken if it solves its own step: its certificate is computed anew.
 
+#include <algorithm>
 #include <cmath>
 
 #include "addons/steps/step_parts.hpp"
@@ -12,12 +13,17 @@
 
 namespace signorini {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 void check_steps(const Model& model, const char* function) {
   require_input(!model.parts.empty(), function,
                 ": the scene has no load steps; give its `path` times, or use solve()");
+  for (const LoadPart& part : model.parts) {
+    const auto is_own = [&](const History& history) { return history.name == part.history; };
+    const std::vector<History>& histories = model.path.histories;
+    require_input(part.history.empty() || std::any_of(histories.begin(), histories.end(), is_own), function,
+                  ": no history of the path is called '", part.history, "', which a part of the loads follows");
+  }
 }
 
 /// Whether the numbers of a state are those of a model.
@@ -100,11 +106,31 @@ void stand(const PathState& state, Model& model) {
 
 namespace {
 
+/// Turns a row round, and what it is multiplied by.
+void turn(Index row, QuadraticProgramme& programme, PrimalDual& solution) {
+  programme.A.row(row) *= -1;
+  programme.initial_gap(row) *= -1;
+  solution.force(row) *= -1;
+}
+
+/// Pairs that never lift off are turned round where they are in tension: there the other side presses.
+Certificate certify_turned(const Model& model, PrimalDual solution) {
+  if (model.two_sided.empty()) return certify(model.programme, solution, model.law);
+  QuadraticProgramme programme = model.programme;
+  const Index pairs = model.pairs.weight.size();
+  for (const Index pair : model.two_sided) {
+    if (solution.force(pair) >= 0) continue;
+    turn(pair, programme, solution);
+    for (std::size_t k = 0; k < model.law.pair.size(); ++k)
+      if (model.law.pair[k] == pair) turn(pairs + static_cast<Index>(k), programme, solution);
+  }
+  return certify(programme, solution, model.law);
+}
+
 /// Whether a state solves its own step. \param model  with the loads of its time, and slips that count from its last step
 void check_solved(const PathState& state, const Model& model) {
-  const Certificate certificate = model.loop
-                                      ? model.loop->certify(state.solution, model)
-                                      : certify(model.programme, state.solution, model.law);
+  const Certificate certificate =
+      model.loop ? model.loop->certify(state.solution, model) : certify_turned(model, state.solution);
   require_input(
       certificate.holds(), "the state at time ", state.time,
       " is of another scene, or what comes before time ", shortest(state.time),

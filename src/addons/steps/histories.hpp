@@ -23,9 +23,4 @@ void check_history(const History& history);
 /// \return `steps` times at equal distances, the last one `end` [time]
 [[nodiscard]] std::vector<double> equal_steps(int steps, double end = 1);
 
-/// \param path  with all histories \param part  of its loads \param time  any [time]
-/// \return what the part is multiplied by then [-]
-/// \throws ProblemError if the path has no such history
-[[nodiscard]] double factor_of(const Path& path, const LoadPart& part, double time);
-
 }  // namespace signorini

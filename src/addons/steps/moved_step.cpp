@@ -16,8 +16,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 /// Where the nodes of a state are, of a model that has its given displacements.
 Displaced displacement_of(const PathState& state, const Model& model) {
@@ -52,9 +51,9 @@ double share_gone_on(const PathState& past, double time, const Model& model) {
   double along = 0;
   double last = 0;
   for (const LoadPart& part : model.parts) {
-    const double now = factor_of(model.path, part, past.time);
-    const double change = now - factor_of(model.path, part, past.began);
-    along += change * (factor_of(model.path, part, time) - now);
+    const double now = factor_of(model.path.histories, part.history, past.time);
+    const double change = now - factor_of(model.path.histories, part.history, past.began);
+    along += change * (factor_of(model.path.histories, part.history, time) - now);
     last += change * change;
   }
   return along > 0 ? along / last : 0;

@@ -18,8 +18,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 /// How far a step that ends at the limit stays away from it, where pairs that all slide would hold nothing.
 constexpr double limit_margin = 1e-10;
@@ -88,7 +87,7 @@ CondensedPath condense_path(const Model& model, Ledger& ledger) {
 VectorXd free_displacement(double time, const Model& model, const CondensedPath& path) {
   VectorXd free = VectorXd::Zero(model.unknowns.count);
   for (std::size_t k = 0; k < model.parts.size(); ++k)
-    free += factor_of(model.path, model.parts[k], time) * path.free_displacement[k];
+    free += factor_of(model.path.histories, model.parts[k].history, time) * path.free_displacement[k];
   return free;
 }
 
@@ -97,11 +96,11 @@ void set_time(double time, Model& model) {
   QuadraticProgramme& programme = model.programme;
   programme.load.setZero();
   for (const LoadPart& part : model.parts)
-    programme.load += factor_of(model.path, part, time) * part.load;
+    programme.load += factor_of(model.path.histories, part.history, time) * part.load;
   if (!model.loop) {  // which finds gaps by itself
     programme.initial_gap.setZero();
     for (const LoadPart& part : model.parts)
-      programme.initial_gap += factor_of(model.path, part, time) * part.movement;
+      programme.initial_gap += factor_of(model.path.histories, part.history, time) * part.movement;
     model.pairs.initial_gap = programme.initial_gap.head(model.pairs.weight.size());
   }
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
@@ -110,7 +109,7 @@ void set_time(double time, Model& model) {
     body.material.eigenstrain = {};
     body.unknowns.held.setZero();
     for (const LoadPart& part : model.parts) {
-      const double f = factor_of(model.path, part, time);
+      const double f = factor_of(model.path.histories, part.history, time);
       add_scaled(f, part.loads[b], body.loads);
       add_scaled(f, part.eigenstrain[b], body.material.eigenstrain);
       body.unknowns.held += f * part.held[b];

@@ -15,13 +15,12 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 /// What the loads of a time do along the rigid modes.
 VectorXd resultant_at(double time, const Model& model, const Eigen::MatrixXd& modes) {
   VectorXd load = VectorXd::Zero(model.unknowns.count);
-  for (const LoadPart& part : model.parts) load += factor_of(model.path, part, time) * part.load;
+  for (const LoadPart& part : model.parts) load += factor_of(model.path.histories, part.history, time) * part.load;
   return rigid_resultant(load, modes, direction_rounding(model.modes));
 }
 

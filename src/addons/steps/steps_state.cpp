@@ -8,8 +8,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 constexpr std::string_view first_line = "signorini-state-2";
 constexpr std::string_view without_end =

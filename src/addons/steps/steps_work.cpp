@@ -7,8 +7,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 Eigen::Map<const VectorXd> flat(const NodeArray& values) { return {values.data(), values.size()}; }
 
@@ -43,7 +42,7 @@ VectorXd contact_forces(const Model& model, const VectorXd& force) {
 VectorXd interference_now(const Model& model, double time) {
   VectorXd sum = VectorXd::Zero(model.pairs.weight.size());
   for (const LoadPart& part : model.parts)
-    sum += factor_of(model.path, part, time) * part.interference;
+    sum += factor_of(model.path.histories, part.history, time) * part.interference;
   return sum;
 }
 

@@ -29,6 +29,7 @@
 #include "addons/vtu/vtu_arrays.hpp"
 #include "addons/vtu/xml.hpp"
 #include "signorini/fem/stress.hpp"
+#include "signorini/fem/von_mises.hpp"
 #include "signorini/report/nodal_fields.hpp"
 #include "signorini/report/results.hpp"
 #include "signorini/scene/bodies.hpp"

@@ -90,31 +90,18 @@ void check_not_supported(const Surface& source, const std::set<Index>& held) {
   }
 }
 
-/// The pairs that can open or close, of which the others hold no contact force.
-///
-/// A dropped pair that overlaps cannot be repaired by any contact force. Rounding of positions is
-/// not an overlap: two sides that touch may seem to overlap in the last digits.
-std::vector<Index> movable(const Pairs& pairs, const std::vector<FreeRow>& openings,
-                           const Surface& source, const std::string& what) {
-  const double rounding = gap_rounding(pairs);
-  std::vector<Index> kept;
+/// The pairs that can open or close are kept. The others hold no contact force.
+void sort_pairs(const Pairs& pairs, const std::vector<FreeRow>& openings, const Surface& source,
+                Gaps& gaps) {
   std::set<Index> held;
   for (Index pair = 0; pair < pairs.initial_gap.size(); ++pair) {
-    const FreeRow& opening = openings[static_cast<std::size_t>(pair)];
-    if (!opening.entries.empty()) {
-      kept.push_back(pair);
-      continue;
-    }
-    const double gap = pairs.initial_gap(pair) + opening.held;
-    require_input(gap >= -rounding, what, ": the pair at (", pairs.position(pair, 0), ", ",
-                  pairs.position(pair, 1), ") is held by supports and overlaps by ", -gap,
-                  ". Move one of the two sides or release the node");
-    held.insert(pairs.node[static_cast<std::size_t>(pair)]);
+    const bool moves = !openings[static_cast<std::size_t>(pair)].entries.empty();
+    (moves ? gaps.kept : gaps.dropped).push_back(pair);
+    if (!moves) held.insert(pairs.node[static_cast<std::size_t>(pair)]);
   }
   // Pairs of Gauss points have no node of their own, and cannot tell which node is held.
   held.erase(-1);
   check_not_supported(source, held);
-  return kept;
 }
 
 /// Some of the pairs, with the nodes counted among those of all bodies.
@@ -182,14 +169,15 @@ NodalRows rows_of(Triplets entries, Index rows, Index columns) {
 /// `opening` and `sliding`: the force of a support is read from them when the contact forces are
 /// known.
 Gaps reduce(const Pairs& pairs, const Surface& source, const Unknowns& unknowns,
-            const std::string& what, double directions) {
+            double directions) {
   std::vector<FreeRow> openings;
   for (Index pair = 0; pair < pairs.initial_gap.size(); ++pair)
     openings.push_back(free_row(pairs.opening, pair, unknowns, directions));
-  const std::vector<Index> kept = movable(pairs, openings, source, what);
+  Gaps gaps;
+  sort_pairs(pairs, openings, source, gaps);
+  const std::vector<Index>& kept = gaps.kept;
   const Index n_pairs = static_cast<Index>(kept.size());
   const bool slides = pairs.sliding.rows() > 0;
-  Gaps gaps;
   gaps.pairs = selected(pairs, kept, source);
   // Slips that supports prescribe are there from the beginning, like gaps.
   gaps.initial_slip.resize(slides ? n_pairs : 0);
@@ -208,8 +196,6 @@ Gaps reduce(const Pairs& pairs, const Surface& source, const Unknowns& unknowns,
   }
   gaps.A = rows_of(std::move(normal), n_pairs, unknowns.count);
   gaps.T = rows_of(std::move(tangential), slides ? n_pairs : 0, unknowns.count);
-  // What was computed for all candidates is matched with the pairs by these numbers.
-  gaps.kept = kept;
   return gaps;
 }
 

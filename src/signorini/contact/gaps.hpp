@@ -25,6 +25,8 @@ struct Gaps {
   Eigen::VectorXd initial_slip;                    ///< `n_c` [length]
   /// `n_c` numbers of the pairs of one contact among its candidates; none of several contacts
   std::vector<Eigen::Index> kept = {};
+  /// Numbers of the other candidates, which supports hold on both sides
+  std::vector<Eigen::Index> dropped = {};
 };
 
 /// \param pairs  any
@@ -34,18 +36,16 @@ struct Gaps {
 /// Takes the supports out of candidate pairs.
 ///
 /// A pair whose points cannot move along the normal is dropped: no contact force can act between two
-/// supports.
+/// supports. Whether it overlaps is for the caller to ask: supports may move it.
 /// \param pairs     `n_c` candidates
 /// \param source    the boundary they are on
 /// \param unknowns  `n` of all bodies
-/// \param what      what a message calls the two sides, such as "contact of 'bottom' with the disc"
 /// \param directions  one rounding of the directions of the sides [-]: what it may do to a node's share of a normal or
 ///   tangent moves nothing; 0 if they are as exact as numbers can be
 /// \return the pairs that can open or close
-/// \throws ProblemError if a dropped pair overlaps, which no contact force can undo, or if both ends of a
-///   side of the source are dropped: the boundary was meant for a support or for contact
+/// \throws ProblemError if both ends of a side of the source are dropped: the boundary was meant for a support or for contact
 [[nodiscard]] Gaps reduce(const Pairs& pairs, const Surface& source, const Unknowns& unknowns,
-                          const std::string& what, double directions = 0);
+                          double directions = 0);
 
 /// Some rows of a matrix.
 /// \param rows  `m x n`

@@ -98,7 +98,7 @@ Obstacle pin_in_hole(const Eigen::Vector2d& hole_centre, double clearance,
             const Eigen::Vector2d n = seen_from(x, hole_centre, "pin").normal;
             return ObstacleContact{clearance - n.dot(shift), n};
           },
-          true};
+          true, true};
 }
 
 /// The distance at the same \f$x\f$, times the cosine of the slope. It is not the shortest

@@ -28,6 +28,8 @@ struct Obstacle {
   /// Whether the gap is linear in what moves a point, along the normal at its place in the mesh: as of a half plane it is,
   /// and of pin_in_hole() it is meant to be
   bool linear = false;
+  /// Whether the gap is that of a place in the mesh, wherever the place moves: no obstacle for bodies that move
+  bool of_mesh = false;
 };
 
 /// Everything behind a line.

@@ -19,8 +19,7 @@
 
 namespace signorini {
 
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::MatrixXd, Eigen::VectorXd;
 
 struct LuFactor::Numbers {
   Eigen::PartialPivLU<MatrixXd> lu;
@@ -62,12 +61,6 @@ const MatrixXd& CholeskyFactor::lower() const { return numbers_->llt.matrixLLT()
 VectorXd CholeskyFactor::solve(const VectorXd& b) const { return numbers_->llt.solve(b); }
 
 MatrixXd CholeskyFactor::solve_columns(const MatrixXd& B) const { return numbers_->llt.solve(B); }
-
-// Of \f$ LL^Tx = b \f$ only the second half: \f$ L^Tx = b \f$. The first half alone is
-// solve_lower_columns().
-VectorXd CholeskyFactor::solve_transposed_half(const VectorXd& b) const {
-  return numbers_->llt.matrixU().solve(b);
-}
 
 void solve_lower_columns(const Eigen::Ref<const MatrixXd>& L, Eigen::Ref<MatrixXd> X) {
   L.triangularView<Eigen::Lower>().solveInPlace(X);

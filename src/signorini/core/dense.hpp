@@ -51,9 +51,6 @@ class CholeskyFactor {
   /// \param B  `n x k`
   /// \return A^-1 B `n x k`, all columns at once
   [[nodiscard]] Eigen::MatrixXd solve_columns(const Eigen::MatrixXd& B) const;
-  /// \param b  `n`
-  /// \return L^-T b `n`: the second half of solve()
-  [[nodiscard]] Eigen::VectorXd solve_transposed_half(const Eigen::VectorXd& b) const;
 
  private:
   struct Numbers;

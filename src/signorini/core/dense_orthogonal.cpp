@@ -14,9 +14,7 @@
 
 namespace signorini {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 // QR with column pivoting takes the longest column first, removes its direction from the others,
 // and goes on with the longest of what is left. It stops when nothing is left but rounding. Of the

@@ -33,17 +33,4 @@ inline double largest(const Eigen::Ref<const Eigen::VectorXd>& v) {
   return scale.unaryExpr([](double s) { return std::exp2(std::round(std::log2(s))); });
 }
 
-/// Halves an interval until rounding leaves nothing between its ends.
-/// \param low    where the condition holds, or would just above
-/// \param high   larger; where it fails
-/// \param holds  condition on a number, which changes once in between
-/// \return neighbours: the last number found where it holds, and the first where it fails
-template <typename Condition>
-std::pair<double, double> bisected(double low, double high, const Condition& holds) {
-  for (double middle = 0.5 * (low + high); low < middle && middle < high;
-       middle = 0.5 * (low + high))
-    (holds(middle) ? low : high) = middle;
-  return {low, high};
-}
-
 }  // namespace signorini

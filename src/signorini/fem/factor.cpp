@@ -20,8 +20,7 @@
 
 namespace signorini {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 VectorXd Factor::solve(const Eigen::Ref<const VectorXd>& load) const {
   require_argument(load.size() == size(), "Factor::solve: load must have ", size(),

@@ -23,8 +23,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::Vector2d;
+using Eigen::Index, Eigen::Vector2d;
 
 /// How far positions that mean the same place may lie apart.
 double position_rounding(const Mesh& mesh) {

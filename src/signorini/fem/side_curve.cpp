@@ -33,9 +33,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Array2d;
-using Eigen::Index;
-using Eigen::Vector2d;
+using Eigen::Array2d, Eigen::Index, Eigen::Vector2d;
 using Sums = ExactSumOf<Array2d>;  // of x and y
 
 /// (x(xi) - x) . x'(xi) as a polynomial of third degree: negative where the distance falls.

@@ -21,9 +21,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 using Matrix = Eigen::SparseMatrix<double>;
 using Cholesky = Eigen::SimplicialLDLT<Matrix>;
 

@@ -209,24 +209,4 @@ double strain_energy(const Mesh& mesh, const Element& element, const MaterialFie
   return energy;
 }
 
-/// What is left when the mean of the three direct stresses is taken out. For tension \f$\sigma\f$
-/// in one direction it is \f$\sigma\f$, for the same pressure from all sides it is 0. The square of
-/// \f$10^{160}\f$ is no double, and that of \f$10^{-170}\f$ is 0. Where squares may have come to
-/// that, the stresses are divided by a power of two first, which rounds nothing.
-double von_mises(const Eigen::Vector4d& stress) {
-  const auto plain = [](const Eigen::Vector4d& s) {
-    const double xy = s(0) - s(1);
-    const double yz = s(1) - s(3);
-    const double zx = s(3) - s(0);
-    return std::sqrt(0.5 * (xy * xy + yz * yz + zx * zx) + 3 * s(2) * s(2));
-  };
-  const double value = plain(stress);
-  if (value > 0x1p-480 && std::isfinite(value)) return value;
-  const double largest = stress.cwiseAbs().maxCoeff();
-  if (largest == 0 || !std::isfinite(largest)) return value;
-  const int power = std::ilogb(largest);
-  return std::ldexp(
-      plain(stress.unaryExpr([=](double x) { return std::ldexp(x, -power); })), power);
-}
-
 }  // namespace signorini

@@ -53,11 +53,6 @@ using StressArray = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>;
 [[nodiscard]] double strain_energy(const Mesh& mesh, const Element& element,
                                    const MaterialField& material, const NodeArray& displacements);
 
-/// Von Mises stress.
-/// \param stress  (xx, yy, xy, zz) [force/length^2]
-/// \return never negative [force/length^2]
-[[nodiscard]] double von_mises(const Eigen::Vector4d& stress);
-
 /// The force per area on a face of a body.
 struct Traction {
   double normal;  ///< sigma_n [force/length^2], tension > 0: minus the contact pressure

@@ -20,8 +20,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::Vector2d;
+using Eigen::Index, Eigen::Vector2d;
 
 /// Cuts that are closer than this are one, up to rounding; the sliver joins the next segment [-].
 constexpr double sliver = 1e-12;

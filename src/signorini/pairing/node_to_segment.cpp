@@ -23,8 +23,7 @@
 
 namespace signorini {
 
-using Eigen::Index;
-using Eigen::Vector2d;
+using Eigen::Index, Eigen::Vector2d;
 
 /// Each node looks along the sum of the normals of its sides, and keeps what it finds. Nodes
 /// without a share of the surface, on the axis of a body of revolution, make no pair.

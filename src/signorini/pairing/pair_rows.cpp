@@ -21,8 +21,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::Vector2d;
+using Eigen::Index, Eigen::Vector2d;
 using Entries = std::vector<Eigen::Triplet<double>>;
 
 /// What the nodes of a side receive of a unit force on one of its points.

@@ -24,8 +24,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::Vector2d;
+using Eigen::Index, Eigen::Vector2d;
 
 /// The smallest box around two, except for the numbers of the children.
 ///

@@ -13,13 +13,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "signorini/pairing/target_query.hpp"
 
 namespace signorini {
 
-using Eigen::Index;
-using Eigen::Vector2d;
+using Eigen::Index, Eigen::Vector2d;
 
 /// Sides are neighbours if one begins at the node where the other ends.
 Index TargetSearch::neighbour(Index number, int end) const {
@@ -172,28 +172,36 @@ Projection TargetSearch::chosen(Query& query) const {
 /// would count, with weights that are negative at its other end: with edges of 0.67 on a block of
 /// width 1 the plate would be pressed with 26.3 in the place of 7.1.
 ///
-/// So a point that hangs over does not face the side behind the corner if it does so only by a tilt
-/// of less than 10 degrees. A point hangs over if it lies above the near side, or no deeper below it
+/// So a corner ends the target for such a point. Where the first one lies, on the way along the
+/// boundary from the side that was found:
+std::pair<Index, Index> TargetSearch::next_corner(Index from, int end) const {
+  Index here = from, next = neighbour(from, end);
+  while (next >= 0 && next != from) {
+    const Vector2d one = side(here).normal(end), two = side(next).normal(-end);
+    if (one.dot(two) < corner_cosine && end * cross(one, two) > 0) return {here, next};
+    next = neighbour(here = next, end);
+  }
+  return {-1, -1};
+}
+
+/// A point that hangs over does not face the side behind the corner if it does so only by a tilt of
+/// less than 10 degrees. A point hangs over if it lies above the near side, or no deeper below it
 /// than the cell there. A tooth in the middle of the block lies deeper, though it looks at the side
 /// of the block as well. Places at the corner are left if their normal leans by less than 50 degrees.
 bool TargetSearch::beyond_corner(const Projection& place, const Vector2d& source_normal) const {
-  const auto off = [&](const Vector2d& normal) { return -normal.dot(source_normal); };
-  if (off(place.normal) > 0.643) return false;
-  for (const int end : {-1, 1})
-    for (Index here = place.side, next = neighbour(here, end); next >= 0;
-         next = neighbour(here = next, end)) {
-      const Vector2d one = side(here).normal(end), two = side(next).normal(-end);
-      if (one.dot(two) < corner_cosine && end * cross(one, two) > 0) {
-        const Vector2d arm = place.gap * place.normal + (place.point - side(here).point(end));
-        const bool first = off(one) > off(two);
-        const double above = (first ? one : two).dot(arm) + depth(first ? here : next);
-        if (std::max(off(one), off(two)) > 0.643 && std::min(off(one), off(two)) < grazing_cosine &&
-            above > -grazing_cosine * arm.norm())
-          return true;
-        break;
-      }
-      if (next == place.side) break;
-    }
+  const auto faced = [&](const Vector2d& normal) { return -normal.dot(source_normal); };
+  if (faced(place.normal) > aside_cosine) return false;
+  for (const int end : {-1, 1}) {
+    const auto [here, next] = next_corner(place.side, end);
+    if (next < 0) continue;
+    Vector2d near = side(here).normal(end), far = side(next).normal(-end);
+    const bool swapped = faced(far) > faced(near);
+    if (swapped) std::swap(near, far);
+    if (faced(near) <= aside_cosine || faced(far) >= grazing_cosine) continue;
+    const Vector2d arm = place.gap * place.normal + (place.point - side(here).point(end));
+    const double deepest = depth(swapped ? next : here);
+    if (near.dot(arm) + deepest > -grazing_cosine * arm.norm()) return true;
+  }
   return false;
 }
 

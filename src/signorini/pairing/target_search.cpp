@@ -23,8 +23,7 @@
 
 namespace signorini {
 
-using Eigen::Index;
-using Eigen::Vector2d;
+using Eigen::Index, Eigen::Vector2d;
 
 /// The sides are made first: neighbours and the tree are read from them.
 TargetSearch::TargetSearch(const Mesh& mesh, const std::string& name)

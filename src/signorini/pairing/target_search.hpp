@@ -7,6 +7,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "signorini/fem/mesh.hpp"
@@ -41,6 +42,9 @@ inline constexpr double corner_cosine = 0.7071;
 
 /// Cosine of 80 degrees [-]. A side whose normal is farther than that from pointing at the source faces it by a tilt only.
 inline constexpr double grazing_cosine = 0.174;
+
+/// Cosine of 50 degrees [-]. A side whose normal is nearer than that to pointing at the source is one that the source looks at.
+inline constexpr double aside_cosine = 0.643;
 
 /// Sides of one boundary in a tree of boxes.
 ///
@@ -106,6 +110,7 @@ class TargetSearch {
   void consider(Eigen::Index number, Query& query) const;
   [[nodiscard]] Eigen::Index neighbour(Eigen::Index number, int end) const;
   [[nodiscard]] Eigen::Vector2d normal_beyond(Eigen::Index number, int end) const;
+  [[nodiscard]] std::pair<Eigen::Index, Eigen::Index> next_corner(Eigen::Index from, int end) const;
   [[nodiscard]] bool next_faces(Eigen::Index number, int end, const Query& query) const;
   [[nodiscard]] double projection(Eigen::Index number, const Query& query) const;
   [[nodiscard]] bool resolve_end(Candidate& candidate, const Query& query) const;

@@ -5,7 +5,7 @@
 // \f[ \lambda > g, \f]
 // where forces have a factor that makes them comparable with gaps, see force_scale(). Of a solution
 // one of the two is 0, and the other one decides. Elsewhere this is the projection of Alart and
-// Curnier: \f$ \lambda = \max(0, \lambda - g) \f$. A closed pair that rubs has the bound
+// Curnier: \f$ \lambda = \max(0, \lambda - g) \f$. A closed pair with friction has the bound
 // \f$ b = \mu(\lambda - g)^+ + c \f$, and it sticks if \f$ |\tau - s| \le b \f$. With the
 // coefficient 0.5, the force 4, no gap and no cohesion, b is 2:
 //
@@ -30,8 +30,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 // The table as a function. Two things keep rounding from deciding. A sticking pair may exceed its
 // bound by rounding of its forces. And a slip that is rounding has no sign that means anything. A

@@ -32,8 +32,7 @@
 
 namespace signorini {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 ActiveSetFactor::ActiveSetFactor(Index space, Index capacity)
     : L_(capacity, capacity), Q_(space, space > 0 ? capacity : 0), y_(capacity) {

@@ -20,8 +20,7 @@
 
 namespace signorini {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 // Dual methods ask two things before they close a pair: by how much the other forces fall, and how
 // far its gap opens, per unit of its force. In the example it is 0.5 and 0.75. If the gap does not

@@ -27,9 +27,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 using Rows = std::vector<Index>;
 using Entry = Eigen::SparseMatrix<double>::InnerIterator;
 

@@ -126,7 +126,7 @@ struct ActiveSetSystem {
 /// \param rows     W `m`
 /// \param set      whose sliding pairs have their gaps in W
 /// \return `m + k` square, its first m columns those of the forces of W
-[[nodiscard]] Eigen::MatrixXd closing_matrix(const ScaledProblem& problem,
+[[nodiscard]] Eigen::MatrixXd active_set_matrix(const ScaledProblem& problem,
                                              const std::vector<Eigen::Index>& rows,
                                              const ActiveSet& set);
 

@@ -32,8 +32,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 // All figures in one list, so that none is forgotten where they are compared.
 constexpr double Certificate::*all_figures[] = {

@@ -44,16 +44,19 @@ bool within(double number, double most) {
 }
 
 // Of F the diagonal has both limits, as the scales of the rows are made of it. Entries beside the
-// diagonal may be small: they are added to others, and nothing is divided by them.
+// diagonal may be small: they are added to others, and nothing is divided by them. So may gaps and
+// slips beside larger ones: a body that was lifted off and comes to rest slips by less in every step.
 void check_magnitudes(const ContactProblem& problem, bool of_matrix) {
   const double most = 0x1p340;
   const Eigen::MatrixXd& F = problem.compliance;
   const Eigen::Index pairs = problem.free_gap.size();
+  const double longest = std::max(largest(problem.free_gap), largest(problem.free_slip));
   for (Eigen::Index j = 0; j < F.cols(); ++j) {
     // Rows of gaps come first, so a row below `pairs` is a gap.
     const Eigen::Index slip = j - pairs;
     const bool gap = slip < 0;
-    require_argument(within(gap ? problem.free_gap(j) : problem.free_slip(slip), most) &&
+    const double movement = gap ? problem.free_gap(j) : problem.free_slip(slip);
+    require_argument((within(movement, most) || std::abs(movement) < 1) && within(longest, most) &&
                          (!of_matrix ||
                           (within(F(j, j), most) && F.col(j).cwiseAbs().maxCoeff() <= most)) &&
                          (gap || (within(problem.law.coefficient(slip), most) &&

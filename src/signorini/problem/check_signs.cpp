@@ -18,9 +18,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 // What movements are measured by: gaps are differences of positions, so their rounding has the size of
 // initial gaps and displacements, however small the gap is.

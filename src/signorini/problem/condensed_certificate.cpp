@@ -23,9 +23,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 // \f$ A^Ty \f$ in twice the working precision: what cancels must cancel exactly.
 VectorXd combined(const MatrixXd& A, const VectorXd& y) {

@@ -17,8 +17,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 using Rows = std::vector<Index>;
 
 // \f$ d + G\lambda \f$, where only the forces of the basis are not zero. A sum of m + 1 terms may

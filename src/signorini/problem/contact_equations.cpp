@@ -26,9 +26,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 // The nested function, for all slips. The slip enters with a minus sign, because friction resists it.
 void evaluate_nested(const ContactEquations& equations, const VectorXd& x, VectorXd& residual) {

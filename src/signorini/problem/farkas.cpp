@@ -18,8 +18,7 @@
 
 namespace signorini {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 // A method that closes pairs one by one meets the proof when a pair p depends on those that are
 // closed. We press p with the force 1 and ask which forces on W hold the other pairs where they

@@ -20,8 +20,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 // A pair that slides without friction has no friction force that tells the direction, so its slip
 // tells it. Where there is friction the force has the last word: its slip may be rounding, with the

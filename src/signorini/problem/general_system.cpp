@@ -19,14 +19,12 @@
 
 namespace signorini {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 using Rows = std::vector<Index>;
 
 // Open pairs have no row and no column.
 // Rows are movements of W and resultants, columns the forces of W and amplitudes.
-MatrixXd closing_matrix(const ScaledProblem& problem, const Rows& rows, const ActiveSet& set) {
+MatrixXd active_set_matrix(const ScaledProblem& problem, const Rows& rows, const ActiveSet& set) {
   const Index m = static_cast<Index>(rows.size());
   const Index k = problem.rigid.cols();
   MatrixXd M = MatrixXd::Zero(m + k, m + k);
@@ -53,7 +51,7 @@ ActiveSetSystem general_system(const ScaledProblem& problem, const ActiveSet& se
     return std::make_pair(top, bottom);
   };
   if (m + k == 0) return system;
-  const MatrixXd M = closing_matrix(problem, set.closed, set);
+  const MatrixXd M = active_set_matrix(problem, set.closed, set);
   // The reciprocal condition number says whether the factor has any right digit.
   const auto factor = std::make_shared<LuFactor>(M);
   const bool regular = factor->rcond() > static_cast<double>(m + k + 1) * epsilon;

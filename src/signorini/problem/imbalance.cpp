@@ -23,9 +23,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 using RowMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
 // The factor s of \f$ \sqrt{K_{jj}}\,s \f$: the largest \f$ \sqrt{K_{ii}}\,|u_i| \f$. With

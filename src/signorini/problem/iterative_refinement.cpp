@@ -30,9 +30,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 // Sweeps whose rigid motion goes into the part of u that strains nothing. That part is rounded, and later
 // sweeps mend it; what they move is so small that it may as well strain the bodies.

@@ -3,6 +3,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -133,8 +134,7 @@ enum class Uniqueness {
 /// without the friction of this pair, it is \f$ 1 - \mu/\mu_c \f$: it changes its sign, and several solutions begin, at
 /// \f$ \mu_c = \mu / (1 - determinant) \f$.
 struct UniquenessWarning {
-  Eigen::Index pair =
-      -1;  ///< its number; -1 if there is no warning, or it is of all sliding pairs together
+  std::optional<Eigen::Index> pair = {};  ///< its number; none: all sliding pairs together
   double determinant = 1;  ///< normalised as above, or by that without any friction [-]; < 0 warns
 };
 

@@ -27,9 +27,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 // Piles of rigid bodies that rub have an F that is mostly zeros. If at most one entry in 64 is not
 // zero, F is also kept by its entries: only there sparse products make up for their slower

@@ -19,8 +19,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
 // The matrix of general_system(), by its entries, with \f$ \pm\sqrt\epsilon \f$ on the diagonal.

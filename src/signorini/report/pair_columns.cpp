@@ -20,8 +20,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
@@ -121,7 +120,7 @@ std::string PairColumn::cell(Index pair, const char* format) const {
 
 // A column that a scene has not is left out rather than filled with zeros: a table without friction
 // does not mention friction. Slip is the exception, because bodies slide along each other also
-// where nothing rubs.
+// without friction.
 // The signs of all columns:
 //
 // | column | is positive if |

@@ -49,8 +49,6 @@ class Staging {
   }
   Staging(const Staging&) = delete;
   Staging& operator=(const Staging&) = delete;
-  Staging(Staging&&) = delete;
-  Staging& operator=(Staging&&) = delete;
 
   [[nodiscard]] const std::filesystem::path& folder() const { return draft_; }
   // Called only after everything was computed and printed.

@@ -23,8 +23,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::Vector2d;
+using Eigen::Index, Eigen::Vector2d;
 
 // Force and moment about the middle of a body. They are summed in long double, because
 // forces all round a body cancel, and what is left would be rounding.

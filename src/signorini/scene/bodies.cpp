@@ -157,4 +157,51 @@ NodeArray unknown_positions(const Plan& plan) {
   return positions;
 }
 
+// A layer counts as the body does.
+bool any_law(const Scene& scene) {
+  const auto has_law = [](const auto& part) { return part.material.law != nullptr; };
+  return std::any_of(scene.bodies.begin(), scene.bodies.end(), [&](const Body& body) {
+    return has_law(body) || std::any_of(body.layers.begin(), body.layers.end(), has_law);
+  });
+}
+
+// A law of finite strain is written for places that the body comes to.
+bool bodies_move(const Scene& scene) { return scene.moves || any_law(scene); }
+
+// Two histories may press first and drag later. What both give together then, as if each had
+// its value 1, is given at no time.
+void each_given(const Scene& scene, const Plan& draft,
+                const std::function<void(const NodeArray&, std::optional<double>)>& visit) {
+  if (!scene.path || draft.standing) return visit(draft.unknowns.held, {});
+  NodeArray held(draft.unknowns.held.rows(), 2);
+  for (const double time : scene.path->times) {
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+      const BodyModel& body = draft.bodies[b];
+      std::vector<Support> supports = scene.bodies[b].supports;
+      for (Support& support : supports)
+        support.displacement = [factor = factor_of(scene.path->histories, support.history, time),
+                                full = support.displacement](const Eigen::Vector2d& x) {
+          return Eigen::Vector2d(factor * full(x));
+        };
+      held.middleRows(body.first_node, body.mesh.n_nodes()) =
+          number_unknowns(body.mesh, supports, body.material.base.state).held;
+    }
+    visit(held, time);
+  }
+}
+
+// The share is a number from 0 to 1 that varies along the source.
+double interference_at(const ContactSpec& contact, const Eigen::Vector2d& x) {
+  return contact.interference.value_or(0) *
+         (contact.interference_share ? contact.interference_share(x) : 1);
+}
+
+// Gaps of the plan are less all of it.
+double interference_to_come(const Scene& scene, const ContactSpec& contact,
+                            const Eigen::Vector2d& x, std::optional<double> time) {
+  const std::string& history = contact.interference_history;
+  return time ? (1 - factor_of(scene.path->histories, history, *time)) * interference_at(contact, x)
+              : 0;
+}
+
 }  // namespace signorini

@@ -2,6 +2,8 @@
 /// The bodies of a scene by name, their nodes and unknowns one after another.
 #pragma once
 #include <Eigen/SparseCore>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -102,5 +104,25 @@ void put_along_diagonal(const std::vector<BodyModel>& bodies,
 /// \param plan  from plan(), or a model
 /// \return `n x 2` position of the node of each unknown [length]
 [[nodiscard]] NodeArray unknown_positions(const Plan& plan);
+
+/// \param scene  any \return whether any of its bodies, or of their layers, has a law of finite strain
+[[nodiscard]] bool any_law(const Scene& scene);
+
+/// \param scene  any \return whether its pairs are found where its bodies move to
+[[nodiscard]] bool bodies_move(const Scene& scene);
+
+/// Displacements that supports give: at the end of each load step, or, without steps or where bodies have moved, all of them.
+/// \param scene  any \param draft  its plan so far
+/// \param visit  gets them, `n_nodes x 2` of all bodies [length], and the time of the step, if there is one
+void each_given(const Scene& scene, const Plan& draft,
+                const std::function<void(const NodeArray& held, std::optional<double> time)>& visit);
+
+/// \param contact  any \param x  a place of its source [length] \return its interference there, in full [length]
+[[nodiscard]] double interference_at(const ContactSpec& contact, const Eigen::Vector2d& x);
+
+/// \param scene  with the contact \param contact  one of it \param x  a place of its source [length] \param time  of a step
+/// \return how much of the interference there is still to come then, 0 without steps [length]
+[[nodiscard]] double interference_to_come(const Scene& scene, const ContactSpec& contact,
+                                          const Eigen::Vector2d& x, std::optional<double> time);
 
 }  // namespace signorini

@@ -16,7 +16,7 @@ const std::vector<Check>& checks() { return open_family<Check>(); }
 void add_check(const Check& member) { add_member(member, open_family<Check>()); }
 
 // Notes come first: those of a solution that is withdrawn say what it would have been.
-void judge_solution(const Model& model, const Condensed& condensed, Solution& solution) {
+void check_solution(const Model& model, const Condensed& condensed, Solution& solution) {
   ask_checks(solution.notes, &Check::solution, model, solution);
   for (const Check& check : checks())
     if (check.judge != nullptr) check.judge(model, condensed, solution);

@@ -52,6 +52,6 @@ void ask_checks(std::vector<std::string>& notes,
 /// \param model      that was solved
 /// \param condensed  from condense() of it
 /// \param[in,out] solution  Solved
-void judge_solution(const Model& model, const Condensed& condensed, Solution& solution);
+void check_solution(const Model& model, const Condensed& condensed, Solution& solution);
 
 }  // namespace signorini

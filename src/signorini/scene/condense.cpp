@@ -32,8 +32,7 @@
 
 namespace signorini {
 namespace {
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 // A singular K has a pivot that vanishes. The message must say which node of which body
 // moves, not which row.

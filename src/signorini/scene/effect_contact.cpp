@@ -1,6 +1,6 @@
 // # Contact as an effect
 //
-// Contact adds one row to A and one number to g per pair that can open or close. The road of
+// Contact adds one row to A and one number to g per pair that can open or close. The way of
 // a pair has four stations. The operator finds it in the meshes. Fits may change its gap, as
 // in a press fit. Supports take the held columns out of its row. Then it is stacked below
 // the pairs of the contacts before it.
@@ -77,6 +77,32 @@ void check_pairs(const ContactSpec& contact, const Pairs& found, Plan& draft) {
   ask_checks(draft.notes, &Check::contact, contact, draft.bodies, found);
 }
 
+// A pair that supports hold on both sides and that overlaps cannot be mended by any contact force.
+// Rounding of positions is no overlap: two sides that touch may seem to overlap in the last digits.
+//
+// In load steps supports move as their histories say, so this is asked of the end of every step.
+// An example: a side is held at y = -0.05 times a history that rises to 2 and falls to 0.5 again.
+// It stands at -0.025 in the end, and a floor at -0.07 is passed at the first step.
+//
+// Where bodies move, gaps depend on the way; there it is asked of the places that they come to.
+void check_dropped(const Scene& scene, const ContactSpec& contact, const Pairs& found,
+                   const std::vector<Index>& dropped, const Plan& draft) {
+  const bool moving = draft.standing != nullptr;
+  if (dropped.empty() || (bodies_move(scene) && !moving)) return;
+  each_given(scene, draft, [&](const NodeArray& held, std::optional<double> time) {
+    Eigen::VectorXd gaps = found.initial_gap;
+    if (!moving) gaps += found.opening * held.reshaped<Eigen::RowMajor>();
+    for (const Index pair : dropped) {
+      const Eigen::Vector2d x = found.position.row(pair).transpose();
+      const double gap = gaps(pair) + interference_to_come(scene, contact, x, time);
+      require_input(gap >= -gap_rounding(found), describe(draft.bodies, contact),
+                    ": the pair at (", x.x(), ", ", x.y(),
+                    ") is held by supports and overlaps by ", -gap, time ? text(" at time ", *time) : "",
+                    ". Move one of the two sides or release the node");
+    }
+  });
+}
+
 // One contact after the other is paired, checked, fitted, reduced and stacked, and says what it
 // found in a line of the plan. Then the pairs have their numbers for good.
 //
@@ -101,8 +127,8 @@ void declare_contact(const Scene& scene, Plan& draft) {
     if (standing == nullptr) check_pairs(contact, found, draft);
     std::string fitted;
     for (const FitSides& fit : draft.fits) fitted += fit(contact, found);
-    Gaps gaps =
-        reduce(found, surface(draft.bodies, contact.source), draft.unknowns, what, directions);
+    Gaps gaps = reduce(found, surface(draft.bodies, contact.source), draft.unknowns, directions);
+    check_dropped(scene, contact, found, gaps.dropped, draft);
     const std::size_t pairs = gaps.pairs.node.size();
     const bool rigid = std::holds_alternative<Obstacle>(contact.target);
     draft.on.push_back(

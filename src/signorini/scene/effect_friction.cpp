@@ -18,6 +18,7 @@
 #include <cmath>
 
 #include "signorini/core/errors.hpp"
+#include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/effects.hpp"
@@ -26,8 +27,7 @@
 namespace signorini::effect {
 namespace {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 // One of the two numbers of the law. What the effects do with it is the same for both, so it
 // is an argument.
@@ -44,13 +44,29 @@ bool any_has(const Scene& scene, Constant constant) {
                      [=](const ContactSpec& contact) { return value(contact, constant) != 0; });
 }
 
-// Whether supports leave a pair free to slide. Friction between two supports could be
-// anything. So it is taken for none, and all of the force counts as theirs.
+// Whether supports leave a pair free to slide, or make it slide in some load step. Friction
+// between two supports could be anything. So it is taken for none, and all of the force counts
+// as theirs.
 //
 // Where bodies have moved to, rows must not come and go with supports that stop and start.
-bool can_slide(const Plan& draft, Index pair) {
-  if (draft.standing) return draft.gaps.pairs.sliding.row(pair).nonZeros() > 0;
-  return draft.gaps.initial_slip(pair) != 0 || draft.gaps.T.row(pair).norm() > 0;
+//
+// Two sides of which one is dragged by one history and the other one by another may stand still
+// against each other where both are 1, and slide before and behind. So slips are looked at in all
+// steps.
+std::vector<char> can_slide(const Scene& scene, const Plan& draft) {
+  const NodalRows& rows = draft.gaps.pairs.sliding;
+  std::vector<char> slides;
+  for (Index pair = 0; pair < rows.rows(); ++pair)
+    slides.push_back(draft.standing ? rows.row(pair).nonZeros() > 0
+                                    : draft.gaps.T.row(pair).norm() > 0);
+  if (draft.standing || std::count(slides.begin(), slides.end(), 0) == 0) return slides;
+  each_given(scene, draft, [&](const NodeArray& held, std::optional<double> /*time*/) {
+    const VectorXd given = held.reshaped<Eigen::RowMajor>();
+    const VectorXd slip = rows * given, terms = rows.cwiseAbs() * given.cwiseAbs();
+    for (Index pair = 0; pair < slip.size(); ++pair)
+      if (std::abs(slip(pair)) > 16 * epsilon * terms(pair)) slides[at(pair)] = 1;
+  });
+  return slides;
 }
 
 // Whether the node of a pair is on a line of symmetry that its side crosses at a right
@@ -58,7 +74,8 @@ bool can_slide(const Plan& draft, Index pair) {
 // mesh is one half, and the normal of a node is the mean of the sides of this half alone.
 // Sides that turn by 10 degrees each tilt it by 5, so that its tangent has a small free
 // component. Such a slip is an error of the mesh and gets no row. At more than 22.5 degrees
-// the side and its image meet in a corner, and the slip is real.
+// the side and its image meet in a corner, and the slip is real. The axis of a body of revolution
+// is such a line.
 bool on_line_of_symmetry(const Scene& scene, const Plan& draft, Index pair) {
   constexpr double least_corner =
       pi / 8;  // a side and its image that turn by more meet in a corner
@@ -68,13 +85,15 @@ bool on_line_of_symmetry(const Scene& scene, const Plan& draft, Index pair) {
   const BodyModel& body = draft.bodies[b];
   const Index own = node - body.first_node;
   const Eigen::Vector2d normal = draft.gaps.pairs.normal.row(pair).transpose().normalized();
+  const auto crosses = [&](Index axis) { return std::abs(normal(axis)) < std::sin(least_corner); };
+  const auto& x = body.mesh.nodes.col(0);
+  if (is_axial(body) && crosses(0) && x(own) <= 1e3 * epsilon * x.maxCoeff()) return true;
   const auto& supports = scene.bodies[b].supports;
   return std::any_of(supports.begin(), supports.end(), [&](const Support& support) {
     if (!support.normal_only) return false;
     const std::vector<Index> line = boundary_nodes(body.mesh, support.boundary);
-    if (std::find(line.begin(), line.end(), own) == line.end()) return false;
-    const Index across = body.unknowns.number(own, 0) < 0 ? 0 : 1;
-    return std::abs(normal(across)) < std::sin(least_corner);
+    return std::find(line.begin(), line.end(), own) != line.end() &&
+           crosses(body.unknowns.number(own, 0) < 0 ? 0 : 1);
   });
 }
 
@@ -123,9 +142,9 @@ void take_bounds(const Scene& scene, Plan& draft) {
 void take_slips(const Scene& scene, Plan& draft) {
   FrictionLaw& law = draft.law;
   if (!law.pair.empty()) return;
+  const std::vector<char> slides = can_slide(scene, draft);
   for (std::size_t pair = 0; pair < draft.contact_of.size(); ++pair)
-    if (has_friction(scene.contacts[draft.contact_of[pair]]) &&
-        can_slide(draft, static_cast<Index>(pair)) &&
+    if (has_friction(scene.contacts[draft.contact_of[pair]]) && slides[pair] &&
         !on_line_of_symmetry(scene, draft, static_cast<Index>(pair)))
       law.pair.push_back(static_cast<Index>(pair));
   if (law.pair.empty()) return;

@@ -99,6 +99,7 @@ struct Plan {
   std::any order = {};  ///< for the back end to begin with, see Stiffness; empty: it finds its own
   std::shared_ptr<const StepLoop> loop = {};  ///< of bodies that move; null: a step is one problem
   std::shared_ptr<const Equations> equations = {};  ///< of the bonds of the scene; null without
+  std::vector<Eigen::Index> two_sided = {};  ///< pairs that never lift off, increasing, of the add-on equations
   std::function<void(Model&)> finish = {};  ///< called by build() behind all effects; none by default
   std::shared_ptr<const Standing> standing = {};  ///< null: bodies are where the scene has them
 };

@@ -43,6 +43,15 @@ struct Path {
   int halvings = 6;  ///< how often in a row a step that fails is halved before the path ends
 };
 
+/// \param histories  of a path \param name  of one, or empty: of what is always there \param time  any [time]
+/// \return what loads of that history are multiplied by then, 1 if there is no such history [-]
+[[nodiscard]] inline double factor_of(const std::vector<History>& histories, const std::string& name,
+                                      double time) {
+  for (const History& history : histories)
+    if (history.name == name) return history.at(time);
+  return 1;
+}
+
 /// What grows with one history: the entries of a scene that name it, and what they do where it is 1.
 struct LoadPart {
   std::string history;                   ///< empty: of what is always there

@@ -26,7 +26,7 @@ Eigen::VectorXd dissipated(const ContactState& contact) {
   return contact.friction.cwiseProduct(increment(contact)).cwiseAbs();
 }
 
-// The whole road in four lines. Many programs of the chapters begin with it.
+// From a scene to its solution in four lines. Many programs of the chapters begin with it.
 // [solved]
 SolvedScene solved(const Scene& scene, const std::string& what) {
   Ledger ledger;

@@ -1,5 +1,5 @@
 /// \file
-/// A scene with everything that was made on the road to its solution, and the forces read from that.
+/// A scene with everything that was made on the way to its solution, and the forces read from that.
 #pragma once
 #include <string>
 

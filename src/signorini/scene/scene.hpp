@@ -1,5 +1,5 @@
 /// \file
-/// What a user wants solved, and the road from there to a solution.
+/// What a user wants solved, and the stages from there to a solution.
 #pragma once
 #include <iosfwd>
 #include <memory>

@@ -88,7 +88,7 @@ Solution recovered(const Model& model, const Condensed& condensed, RefinedEnd en
     solution.certificate.balance = imbalance(model, solution.contact, end.solution.force);
     solution.displacements = displacements_of_bodies(model, end.solution.displacement);
     solution.refined = std::move(end.solution);
-    if (solved && !model.loop) judge_solution(model, condensed, solution);
+    if (solved && !model.loop) check_solution(model, condensed, solution);
   }
   solution.ledger = std::move(ledger);
   return solution;
@@ -151,7 +151,7 @@ void require_solved(const Solution& solution, const std::string& what) {
   throw NotSolved(with_notes(message, solution.notes));
 }
 
-// The road of the library in three steps. Load steps need a loop around the last one.
+// The three stages of the library. Load steps need a loop around the last one.
 Solution solve(const Scene& scene) {
   require_input(!scene.path, "the scene has load steps: solve_steps() solves it step by step");
   Ledger ledger;

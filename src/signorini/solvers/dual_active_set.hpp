@@ -58,6 +58,8 @@ class DualActiveSet {
   /// Stalled rows have joined, or left for others, without a rise of the energy: their overlap is rounding.
   enum class Row : char { Open, Closed, Stalled };
 
+  bool close_block();
+  [[nodiscard]] bool above(double energy) const;
   void forget_stalled();
   void mark_stalled(const std::vector<Eigen::Index>& rows);
   void find_most_violated();
@@ -78,15 +80,15 @@ class DualActiveSet {
 
   const ConstraintRows& rows_;
   ActiveSetFactor basis_;
-  ActiveSetFactor saved_;
+  ActiveSetFactor saved_{0, 0};
   Report& report_;
   Eigen::Index limit_;
   Step kind_;
-  Eigen::Index group_;
+  Eigen::Index group_ = (rows_.rank + 1) / 2;  ///< most rows of a block
   Eigen::Index pressed_ = -1;
   Eigen::VectorXd gap_;
   Eigen::VectorXd rounding_;
-  Eigen::VectorXd force_;
+  Eigen::VectorXd force_ = Eigen::VectorXd(basis_.capacity());
   Eigen::VectorXd target_;
   Eigen::VectorXd proof_;
   ActiveSetFactor::Candidates candidates_;

@@ -14,52 +14,23 @@
 //
 // If p depends on W, a is 0: pressing p does not open its gap. Either a pair leaves, or r has no
 // positive entry. In the second case forces may grow for ever along (-r, 1) and move nothing. Then
-// nothing solves the problem, and these numbers are the proof. G = [1 -1; -1 1] with d = (-1, -1)
-// is a body between two walls that are too close. Pair 1 is closed with the force 1, the gap of
-// pair 2 is -2, and r = -1: the proof is (1, 1).
+// nothing solves the problem: cannot_close() in
+// [dual_active_set_rounding.cpp](dual_active_set_rounding.cpp).
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
 
 #include "signorini/core/index.hpp"
-#include "signorini/core/rounding.hpp"
 #include "signorini/solvers/dual_active_set.hpp"
 
 namespace signorini {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 // Drops rows and their entries in the forces.
 void DualActiveSet::open_vanished(const std::vector<Index>& positions) {
   for (auto k = positions.rbegin(); k != positions.rend(); ++k)
     for (Index i = *k + 1; i < force_.size(); ++i) force_(i - 1) = force_(i);
   drop(positions);
-}
-
-// Moves from forces that do not pull towards the best for all closed rows; where a force vanishes
-// first, its row opens and the target changes. The dual energy rises all the way. The energy is
-// concave, so it rises along the whole line to its largest value on the set. The line may be left
-// early at no loss.
-void DualActiveSet::step_by_step() {
-  while (true) {
-    solve();
-    const std::vector<Index> negative = pulling();
-    if (negative.empty()) break;
-    const auto share = [&](Index k) {
-      return force_(k) > 0 ? force_(k) / (force_(k) - target_(k)) : 0.0;
-    };
-    double step = 1;
-    for (const Index k : negative) step = std::min(step, share(k));
-    std::vector<Index> vanished;
-    for (const Index k : negative)
-      if (share(k) <= step) vanished.push_back(k);
-    const Index size = basis_.size();
-    force_.head(size) += step * (target_.head(size) - force_.head(size));
-    open_vanished(vanished);
-  }
-  force_.head(basis_.size()) = target_.head(basis_.size());
 }
 
 // The closed row whose force vanishes first when the forces change by -response, and the step to
@@ -77,36 +48,6 @@ std::pair<Index, double> DualActiveSet::first_to_open(const VectorXd& response) 
     if (response(k) * basis_.distance_from_others(k) > basis_.smallest_distance())
       return {k, step(k)};
   return {-1, 0};
-}
-
-// How much overlap of a row that depends on the closed ones can be rounding, its own or theirs. The
-// gap of such a row is a sum of theirs with the weights r, and so is its rounding.
-double DualActiveSet::grazing(Index row, const VectorXd& response) const {
-  const double distance = basis_.smallest_distance();
-  const double weight = (*rows_.weight)(row);
-  double rounding = rounding_(row);
-  for (Index k = 0; k < basis_.size() && weight > 0; ++k) {
-    const Index closed = basis_.rows()[at(k)];
-    rounding += std::abs(response(k)) * rounding_(closed) * (*rows_.weight)(closed) / weight;
-  }
-  return std::max(2 * rounding, rounding_(row) / epsilon * distance * distance);
-}
-
-// No force vanishes when a row is pressed that depends on the closed ones. That is the proof,
-// unless the overlap is rounding. Entries of the proof that belong to equations may have any sign.
-SolveStatus DualActiveSet::cannot_close(Index row, const VectorXd& response) {
-  if (-gap_(row) <= grazing(row, response)) {  // it only touches, as far as rounding can tell
-    mark_stalled({row});
-    return SolveStatus::Solved;
-  }
-  proof_.setZero(rows_.count);
-  for (Index k = 0; k < basis_.size(); ++k) {
-    const Index closed = basis_.rows()[at(k)];
-    proof_(closed) = closed < rows_.equations ? -response(k) : std::max(0.0, -response(k));
-  }
-  proof_(row) = 1;
-  pressed_ = row;
-  return SolveStatus::Infeasible;
 }
 
 // Closes a row that carries a force already. \return false if it depends on the closed ones The

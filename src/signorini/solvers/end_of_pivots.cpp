@@ -24,8 +24,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 // The proof that nothing solves a problem, if forces in a ratio of these give one; otherwise empty.
 // A ray is a direction along which the forces may grow for ever. If M is symmetric and positive

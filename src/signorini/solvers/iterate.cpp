@@ -20,9 +20,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 // Opens closed pairs without a force, if that is a solution as well: a pair that only touches holds
 // nothing. One pair with d = 0 is solved by the force 0, whether it is called open or closed, and

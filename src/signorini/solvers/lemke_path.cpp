@@ -35,9 +35,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 // M and q of the linear complementarity problem for (lambda, p, v-, a+, a-), with given cohesion.
 // The forces are \f$ f = E\,(\lambda, p) - (0, c) \f$ where E takes \f$ \mu\lambda \f$ away from p.

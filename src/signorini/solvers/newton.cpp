@@ -34,9 +34,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 // Newton's method with memory of its own. The vectors and J are allocated once. Which pairs carry
 // cohesion is decided between the steps, never during one: it would make the merit jump, and the

@@ -84,10 +84,10 @@ void primal_dual_iterations(const ScaledProblem& problem, Index limit, Iterate& 
   std::set<std::vector<ContactStatus>> seen;
   bool one_at_a_time = false;
   ActiveSetSolution start = iterate.solution;
-  iterate.stop(SolveStatus::IterationLimit, "the motions did not settle");
+  iterate.stop(SolveStatus::IterationLimit, "the contact statuses did not settle");
   for (Index step = 0; step < limit; ++step) {
     if (!seen.insert(iterate.statuses).second) {
-      iterate.reason = "the motions run in circles";
+      iterate.reason = "the same contact statuses come back";
       one_at_a_time = true;
       if (!plain) return;
     }
@@ -99,7 +99,7 @@ void primal_dual_iterations(const ScaledProblem& problem, Index limit, Iterate& 
     const ActiveSetSolution& now = iterate.solution;
     if (frictional) start = now;
     if (!now.force.allFinite() || !now.movement.allFinite() || (!frictional && !now.solvable))
-      return iterate.stop(SolveStatus::Breakdown, "the equations of the motions are singular");
+      return iterate.stop(SolveStatus::Breakdown, "the equations of the closed pairs are singular");
     const bool dependent = !frictional && now.rows.size() < set.closed.size();
     if (dependent && one_at_a_time) return iterate.stop(SolveStatus::Breakdown);
     if (dependent) iterate.statuses = statuses_of(now.rows, problem.pairs());

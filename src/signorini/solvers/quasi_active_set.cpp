@@ -32,8 +32,7 @@
 
 namespace signorini {
 
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 // The factor has the pairs in the order in which they joined. A state lists them by number.
 std::vector<Index> sorted_rows(const ActiveSetFactor& basis, Index equations) {

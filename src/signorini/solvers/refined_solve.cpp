@@ -30,9 +30,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 // Pairs change so often after a claim. Statuses that need more changes than these were not near a
 // solution.
@@ -106,8 +104,8 @@ bool usable(const ContactState& claim, Index pairs) {
 }
 
 // The second set is not always better than the first. So the end keeps the numbers with the smallest
-// worst figure, and a confirmed set replaces them in any case. An end that was never certified has
-// infinite figures, so that the first set that is refined is kept whatever its figures are.
+// worst figure, and a confirmed set replaces them in any case. The first set is kept whatever its
+// figures are: they may be infinite, and there must be something to read.
 SignCheck RefinedSets::refine(const std::vector<ContactStatus>& of, const VectorXd& force) {
   auto& [now, amplitude, last] = here;
   last = iterative_refinement(data, std::move(now), force, of);
@@ -117,7 +115,8 @@ SignCheck RefinedSets::refine(const std::vector<ContactStatus>& of, const Vector
   SignCheck signs = check_signs(data, last, of);
   now = std::move(last.solution);
   const Certificate certificate = certify(data.programme, now, data.condensed.law, data.known);
-  if (signs.confirmed || !(end.certificate.worst() <= certificate.worst())) {
+  if (statuses.empty() || signs.confirmed ||
+      !(end.certificate.worst() <= certificate.worst())) {
     end.certificate = certificate;
     end.solution = now;
     end.state.amplitude = amplitude;

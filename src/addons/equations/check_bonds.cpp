@@ -15,15 +15,23 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index;
-using Eigen::Vector2d;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::Vector2d, Eigen::VectorXd;
+
+/// The length of which the last digits of places in two doubles are what a certificate allows; 0 unless bodies have moved [length].
+/// Where bodies come back to rest, displacements and right sides are nothing but these digits.
+double rounded_length(const Model& model) {
+  if (!model.standing) return 0;
+  double farthest = model.standing->displacement.cwiseAbs().maxCoeff();
+  for (const BodyModel& body : model.bodies)
+    farthest = std::max(farthest, body.mesh.nodes.cwiseAbs().maxCoeff());
+  return 4 * epsilon * epsilon * farthest / certificate_tolerance;
+}
 
 /// By how much equations do not hold, beside how far their nodes move or how large their right sides are.
 double open_equations(const Model& model, const VectorXd& u, const VectorXd& left) {
   const Equations& all = *model.equations;
   const VectorXd terms = all.matrix.cwiseAbs() * u.cwiseAbs();
-  double length = 0;
+  double length = rounded_length(model);
   double most = 0;
   for (const Index k : all.held) {
     length = std::max({length, terms(k), std::abs(all.rows[at(k)].right)});
@@ -172,7 +180,7 @@ std::vector<BondForces> bond_forces(const Model& model, const Solution& solution
   return sums;
 }
 
-void judge_equations(const Model& model, const Condensed& /*condensed*/, Solution& solution) {
+void check_bonds(const Model& model, const Condensed& /*condensed*/, Solution& solution) {
   if (!model.equations || solution.contact.report.status != SolveStatus::Solved) return;
   const Equations& all = *model.equations;
   const VectorXd u = all_displacements(model, solution.displacements);
