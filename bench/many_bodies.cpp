@@ -1,6 +1,6 @@
-// Many bodies: stacks that contact alone holds, from the scene to the certificate, piles of rigid discs with friction, and pairs
+// Many bodies: stacks that contact alone holds, from the scene to the certificate, walls of bricks and piles of rigid discs with friction, and pairs
 // with friction of which each moves all others.
-// Run:  make many_bodies     Reads: nothing     Writes: stacks.md, piles.md, dense.md and their .csv
+// Run:  make many_bodies     Reads: nothing     Writes: stacks.md, walls.md, piles.md, dense.md and their .csv
 // Without --full small ones only: a test that all are certified after few sets, not a measurement.
 #include <algorithm>
 #include <cmath>
@@ -45,6 +45,25 @@ bool measure_stacks(const std::vector<int>& heights, const ProgramOptions& optio
     last = seconds;
   }
   write_table(options.out, "stacks", table);
+  return good;
+}
+
+/// Walls of n by n bricks, elastic and with friction. \return whether all are certified
+bool measure_walls(const std::vector<int>& sizes, const ProgramOptions& options) {
+  Table table({"bricks", "pairs", "unknowns", "steps", "certificate", "s"});
+  bool good = true;
+  for (const int n : sizes) {
+    const double begin = processor_seconds();
+    const Solution solution = solve(signorini_test::brick_wall(n, 0.5));
+    const double seconds = processor_seconds() - begin;
+    const Report& report = solution.contact.report;
+    good = good && report.status == SolveStatus::Solved && solution.certificate.holds();
+    table.row({std::to_string(n * n), std::to_string(solution.contact.force.size()),
+               std::to_string(solution.refined.displacement.size()),
+               std::to_string(report.iterations), number(solution.certificate.worst(), "%.1e"),
+               number(seconds, "%.2f")});
+  }
+  write_table(options.out, "walls", table);
   return good;
 }
 
@@ -118,11 +137,13 @@ int main(int argc, char** argv) {
   const auto body = [](const ProgramOptions& options) {
     const bool stacks = measure_stacks(
         options.full ? std::vector<int>{100, 300, 1000} : std::vector<int>{30, 60}, options);
+    const bool walls = measure_walls(
+        options.full ? std::vector<int>{5, 6, 8, 12} : std::vector<int>{4}, options);
     const bool piles = measure_piles(options.full ? std::vector<Eigen::Index>{10, 15, 20, 26}
                                                   : std::vector<Eigen::Index>{8},
                                      options);
     const bool dense = measure_dense(options.full ? 1000 : 60, options);
-    const bool good = stacks && piles && dense;
+    const bool good = stacks && walls && piles && dense;
     std::cout << "\nall as it must be: " << (good ? "yes" : "NO") << '\n';
     return good ? SolveStatus::Solved : SolveStatus::Breakdown;
   };

@@ -36,4 +36,34 @@ inline signorini::Scene stack(int blocks, double friction) {
   return scene;
 }
 
+/// A wall of n courses of n bricks of 1 by 1/2, shifted by half a brick from course to course, with friction, under its weight. The
+/// lowest course is held.
+inline signorini::Scene brick_wall(int n, double friction) {
+  using namespace signorini;
+  Scene scene;
+  scene.bodies.clear();
+  const auto name = [](int course, int brick) {
+    return "brick " + std::to_string(course) + " " + std::to_string(brick);
+  };
+  for (int course = 0; course < n; ++course)
+    for (int brick = 0; brick < n; ++brick) {
+      Body body;
+      body.mesh = block({brick + (course % 2 == 0 ? 0 : 0.5), 0.5 * course}, {1, 0.5}, 4);
+      body.mesh.name = name(course, brick);
+      body.material = {1000, 0.3};
+      body.loads.body_force = [](const Eigen::Vector2d&) { return Eigen::Vector2d(0, -0.1); };
+      if (course == 0) body.supports = {fixed("bottom")};
+      scene.bodies.push_back(std::move(body));
+      for (const int below : {brick - (course % 2 == 0 ? 1 : 0), brick + (course % 2 == 0 ? 0 : 1)}) {
+        if (course == 0 || below < 0 || below >= n) continue;
+        ContactSpec contact;
+        contact.source = {"bottom", name(course, brick)};
+        contact.target = Side{"top", name(course - 1, below)};
+        contact.friction = Friction{friction};
+        scene.contacts.push_back(std::move(contact));
+      }
+    }
+  return scene;
+}
+
 }  // namespace signorini_test

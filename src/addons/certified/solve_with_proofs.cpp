@@ -1,5 +1,6 @@
 #include "addons/certified/solve_with_proofs.hpp"
 
+#include <iterator>
 #include <optional>
 #include <vector>
 
@@ -12,11 +13,13 @@
 namespace signorini {
 namespace {
 
-/// A member that names others, with those of this add-on that the problem is for before them.
+/// A member that names others, with those of this add-on that the problem is for. Bodies that nothing pushes are asked for first, at no
+/// cost. Soft pairs are sure and slow, as each of their exchanges takes a factor: they come before the last, whose word on why it
+/// does not arrive counts.
 Solver strengthened(const Solver& solver, const ContactProblem& problem) {
   Solver strong = solver;
   if (solver.others.empty()) return strong;
-  if (!problem.law.pair.empty()) strong.others.insert(strong.others.begin(), soft_pairs);
+  if (!problem.law.pair.empty()) strong.others.insert(std::prev(strong.others.end()), soft_pairs);
   if (problem.resultant.size() > 0) strong.others.insert(strong.others.begin(), at_rest);
   return strong;
 }
