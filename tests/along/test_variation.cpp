@@ -262,6 +262,14 @@ TEST_CASE("a value that varies in a way that means nothing is refused where it s
              ContainsSubstring("places must increase, but 0 follows 1"));
   CHECK_THAT(pressure("{ over = \"x\", table = [[1, 1], [1, 2], [1, 3]] }"),
              ContainsSubstring("stands there three times"));
+  CHECK_THAT(pressure("{ over = \"x\", table = [[100, 1], [110, 2]] }"),
+             ContainsSubstring("its rows go from 100 to 110, but 'top' goes from 0 to") &&
+                 ContainsSubstring("it would be one number there"));
+  CHECK_THAT(pressure("{ over = \"length\", table = [[-2, 1], [-1, 2]] }"),
+             ContainsSubstring("its rows go from -2 to -1, but 'top' goes from 0 to"));
+  CHECK_THAT(told("temperature = { varying = { over = \"y\", table = [[-9, 1], [-8, 2]] } }\n"),
+             ContainsSubstring("its rows go from -9 to -8, but "));
+  CHECK(pressure("{ over = \"y\", table = [[0, 1], [100, 2]] }").empty());  // of a level side
   CHECK_THAT(pressure("{ polynomial = [[1, 0.5, 0]] }"),
              ContainsSubstring("powers must be whole numbers"));
   CHECK_THAT(pressure("{ polynomial = [[1, 7, 7]] }"),

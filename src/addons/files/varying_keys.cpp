@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "addons/files/scene_keys.hpp"
+#include "signorini/core/errors.hpp"
 #include "signorini/core/index.hpp"
 
 namespace signorini {
@@ -42,6 +43,20 @@ void read_table(const Value& value, Eigen::Index components, Variation& into) {
       row.fail("the place ", place, " stands there three times: once is a value, twice a jump");
     into.places.push_back(place);
   }
+}
+
+/// Beyond its rows a table is constant. One that has no row within what it is for is another number than was meant.
+void check_meets(const Variation& variation, const Mesh& mesh, const std::string& boundary) {
+  const NodeArray nodes =
+      boundary.empty() ? mesh.nodes : NodeArray(mesh.nodes(boundary_nodes(mesh, boundary), Eigen::all));
+  const auto along = nodes.col(variation.over == Over::Y ? 1 : 0);
+  const double first = variation.length ? 0 : along.minCoeff();
+  const double last = variation.length ? variation.length->whole() : along.maxCoeff();
+  const double low = variation.places.front();
+  const double high = variation.places.back();
+  require_input(low == high || first == last || (low < last && high > first), "its rows go from ", low,
+                " to ", high, ", but '", boundary.empty() ? mesh.name : boundary, "' goes from ", first,
+                " to ", last, ": it would be one number there");
 }
 
 void read_polynomial(const Value& value, Eigen::Index components, Variation& into) {
@@ -101,6 +116,7 @@ Variation read_variation(const Value& value, Eigen::Index components, const Mesh
         over->explain([&] { return std::make_shared<const ArcLength>(mesh, boundary); });
   }
   read_table(*table, components, variation);
+  table->explain([&] { check_meets(variation, mesh, boundary); });
   return variation;
 }
 
