@@ -5,6 +5,7 @@
 #include "bench/measure.hpp"
 #include "bench/peers/peer.hpp"
 #include "papers/solver_table.hpp"
+#include "signorini/core/triangular.hpp"
 
 namespace signorini::bench {
 namespace {
@@ -44,9 +45,9 @@ Run by_condensation(const DenseProgramme& programme, int calls,
   run.seconds = mean_seconds(calls, [&] {
     const DenseCondensed small = condense(programme);
     run.solution.force = whole(small.problem, run);
-    const auto transposed = small.factor.lower().transpose().triangularView<Eigen::Upper>();
-    run.solution.displacement =
-        small.free_displacement - transposed.solve(small.half * run.solution.force);
+    Eigen::VectorXd pushed = small.half * run.solution.force;
+    solve_lower_transposed(small.factor.lower(), pushed);
+    run.solution.displacement = small.free_displacement - pushed;
   });
   return run;
 }

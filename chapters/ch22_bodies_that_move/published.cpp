@@ -1,7 +1,9 @@
-// Chapter 22 - A published ironing: the forces of one die, which seven sources have in seven ways.
+// Chapter 22 - A published ironing: the forces of one die, which six sources have in six ways.
 // Takes longer than 5 s: ./run.sh shows its committed results.
 // Run:  make ch22     Reads: nothing     Writes: ch22_published.results
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "addons/frontal/frontal_factor.hpp"
 #include "addons/motion/register.hpp"

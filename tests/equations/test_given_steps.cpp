@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "addons/equations/bonds.hpp"
+#include "addons/equations/equations.hpp"
 #include "addons/files/scene_file.hpp"
 #include "addons/steps/steps.hpp"
 #include "catch_compat.hpp"
@@ -137,6 +138,51 @@ TEST_CASE("supports that move the sides of a tie apart are refused, whatever fac
   CHECK(!refusal(scene("0.05", "")).empty());
   CHECK(!refusal(scene("0.05, history = \"h\"", "[[steps]]\nvalues = { h = 1 }\n")).empty());
   CHECK(refusal(scene("0", "")).empty());
+}
+
+// Normals of meshes that do not match are tilted at the ends, and closing a gap there has a part along the line of symmetry.
+TEST_CASE("ties end on lines of symmetry, and at supports of other places", "[equations]") {
+  const std::string quadratic = GENERATE(as<std::string>(), "false", "true");
+  const std::string closes = GENERATE(as<std::string>(), "false", "true");
+  CAPTURE(quadratic, closes);
+  const auto ring = [&](const std::string& head, const std::string& cells, const std::string& more) {
+    return "[[body]]\nmesh = { kind = \"ring\", sector = \"quarter\", quadratic = " + quadratic + ", cells = " + cells +
+           ", " + head + " }\nsymmetric = [\"symmetry\", \"symmetry_y\"]\n" + more;
+  };
+  const std::string rings =
+      material + ring("inner_radius = 1, outer_radius = 2", "[7, 3]", "name = \"in\"\npressure = { inner = 1 }\n") +
+      ring("inner_radius = 2, outer_radius = 3", "[10, 3]", "name = \"out\"\n") +
+      "[[tie]]\nsource = \"in.outer\"\ntarget = \"out.inner\"\ncloses = " + closes + "\n";
+  CHECK(refusal(rings).empty());
+  const std::string blocks =
+      material +
+      "[[body]]\nname = \"low\"\nmesh = { kind = \"block\", corner = [-1, 0], size = [10, 2], cells = [5, 2], quadratic = " +
+      quadratic + " }\nfixed = \"left\"\n" +
+      "[[body]]\nname = \"up\"\nmesh = { kind = \"block\", corner = [0, 2], size = [8, 2], cells = [16, 4], quadratic = " +
+      quadratic + " }\nprescribed = { left = { x = 0.001, y = 0 } }\n" +
+      "[[tie]]\nsource = \"up.bottom\"\ntarget = \"low.top\"\ncloses = " + closes + "\n";
+  CHECK(refusal(blocks).empty());
+}
+
+// All of the pin is held; the ring is free to follow, as its other side is far away.
+TEST_CASE("a sliding tie whose node is held in both components is no row between supports", "[equations]") {
+  const Scene scene = scene_of(
+      material +
+      "[[body]]\nname = \"ring\"\nmesh = { kind = \"ring\", inner_radius = 1, outer_radius = 2, cells = [16, 2] }\nfixed = \"outer\"\n"
+      "[[body]]\nname = \"pin\"\nmesh = { kind = \"ring\", inner_radius = 0.5, outer_radius = 1, cells = [16, 2] }\n"
+      "prescribed = { outer = { x = 0.01, y = 0 } }\n"
+      "[[tie]]\nsource = \"pin.outer\"\ntarget = \"ring.inner\"\nslides = true\n");
+  const SolvedScene run = solved(scene, "the ring");
+  CHECK(run.solution.certificate.holds());
+  CHECK(bond_forces(run.model, run.solution)[0].force.x() > 0);
+}
+
+TEST_CASE("a history without values is refused before anybody looks at it", "[steps][given][errors]") {
+  Scene scene = scene_of(lowered("[[steps]]\nvalues = { h = 1 }\n", "-0.07"));
+  scene.path->histories[0].times.clear();
+  scene.path->histories[0].values.clear();
+  CHECK_THAT(problem_message([&] { static_cast<void>(plan(scene)); }),
+             ContainsSubstring("history 'h': expected as many values as times"));
 }
 
 // Far away from a block that slides by three of its cells, a tie joins the sides of another contact.

@@ -19,7 +19,7 @@ namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
-/// check_problem() refuses smaller movements and resultants.
+/// check_problem() refuses movements and resultants of which the largest is smaller. Smaller ones beside them are rounding.
 constexpr double smallest_movement = 0x1p-340;
 constexpr double smallest_resultant = 0x1p-170;
 

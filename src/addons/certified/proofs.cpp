@@ -159,10 +159,10 @@ bool proves_infeasible(const QuadraticProgramme& programme, const VectorXd& y, c
     work.add_product(programme.initial_gap(i), y(i));
     moved.add_product(columns, i, y(i));
   }
-  const double moves = moved.value().cwiseProduct(u).lpNorm<1>();
+  const double movement = moved.value().cwiseProduct(u).lpNorm<1>();
   const double rounding = epsilon * programme.initial_gap.head(m).cwiseAbs().dot(y.cwiseAbs());
   return -work.value() > static_cast<double>(m) * rounding &&
-         -work.value() * std::sqrt(epsilon) > moves;
+         -work.value() * std::sqrt(epsilon) > movement;
 }
 
 }  // namespace signorini

@@ -9,7 +9,7 @@ namespace signorini {
 /// Solves a problem of any kind as the solve() of the portfolio does, and says what can be proved about it.
 ///
 /// Before any method is asked, infeasible_resultant() looks for a proof that no contact forces balance the load. Where the
-/// member names others, at_rest() and soft_pairs() are asked before them. A matrix of any kind that no member solved is
+/// member names others, at_rest() is asked before them, and with friction soft_pairs() before the last. A matrix of any kind that no member solved is
 /// refuted by farkas_certificate() where that can be; a solution with friction comes with its uniqueness().
 /// \param problem  any
 /// \param solver   a member

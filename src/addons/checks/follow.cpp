@@ -110,8 +110,7 @@ class Following {
     for (std::size_t k = 0; k < there.node.size(); ++k) {
       const Index node = there.node[k];
       if (node >= 0) of_node[static_cast<std::size_t>(node)] = static_cast<Index>(k);
-      const Index of_all = node < 0 ? node : source.first_node + node;
-      taken[k] = std::find(given.begin(), given.end(), of_all) != given.end();
+      taken[k] = node >= 0 && std::binary_search(given.begin(), given.end(), source.first_node + node);
     }
     for (Index pair = first; pair < first + gap.size(); ++pair) {
       const Index node = model_.pairs.node[static_cast<std::size_t>(pair)];

@@ -17,8 +17,8 @@ namespace {
 
 using Eigen::Index, Eigen::Vector2d, Eigen::VectorXd;
 
-/// The length of which the last digits of places in two doubles are what a certificate allows; 0 unless bodies have moved [length].
-/// Where bodies come back to rest, displacements and right sides are nothing but these digits.
+/// Places are known in two doubles, to epsilon squared of their size. This is the length beside which that error is as large as a
+/// certificate allows; 0 unless bodies have moved [length]. Where they come back to rest, displacements are nothing but this error.
 double rounded_length(const Model& model) {
   if (!model.standing) return 0;
   double farthest = model.standing->displacement.cwiseAbs().maxCoeff();

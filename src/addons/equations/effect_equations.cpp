@@ -1,7 +1,8 @@
 // Bonds: equations between displacements, which hold whatever the forces are.
 #include <algorithm>
-#include <limits>
+#include <cmath>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "addons/equations/bonds.hpp"
@@ -79,27 +80,25 @@ void note_repeated(const Equations& all, const NodalRows& free, Plan& draft) {
                                equation_in_words(all, twice.front(), draft)));
 }
 
-/// Supports that hold a node of a tie and part of what it faces must move both alike: no force closes what they open.
-void check_between(const Plan& draft, const Bond& bond, const VectorXd& given, const std::string& when) {
-  for (const Equation& row : bond.between) {
-    const auto is_own = [&](const auto& term) { return term.first == row.own; };
-    const double own = std::find_if(row.terms.begin(), row.terms.end(), is_own)->second;
-    const double place = given(row.own) - row.right / own;
-    double low = std::numeric_limits<double>::infinity();
-    double high = -low;
+/// Supports that hold a node of a tie and the node of the other side that lies at the same place must move both alike: no force closes
+/// what they open.
+void check_left_out(const Plan& draft, const Bond& bond, const VectorXd& given, const std::string& when) {
+  const auto place_of = [&](Index component) -> Eigen::RowVector2d {
+    const BodyModel& body = draft.bodies[body_of_node(draft.bodies, component / 2)];
+    return body.mesh.nodes.row(component / 2 - body.first_node);
+  };
+  const double here = gap_rounding(bond.pairs);
+  const double rounding = 64 * epsilon * largest(given);
+  for (const Equation& row : bond.left_out)
     for (const auto& [component, value] : row.terms) {
-      if (value * own > 0 || draft.unknowns.number(component / 2, component % 2) >= 0) continue;
-      low = std::min(low, given(component));
-      high = std::max(high, given(component));
+      const double apart = std::abs(given(row.own) - given(component));
+      const bool alike = component % 2 == row.own % 2 &&
+                         draft.unknowns.number(component / 2, component % 2) < 0 &&
+                         (place_of(component) - place_of(row.own)).norm() <= here;
+      require_input(!alike || apart <= rounding, bond.what, ": at ", in_brackets(place_of(row.own)),
+                    " supports hold both sides, and move them apart by ", apart, when,
+                    ". Let them move alike, or hold one side only");
     }
-    const double apart = std::max(low - place, place - high);
-    const Index node = row.own / 2;
-    const BodyModel& body = draft.bodies[body_of_node(draft.bodies, node)];
-    require_input(!(apart > row.rounding / std::abs(own) + 64 * epsilon * largest(given)), bond.what, ": at ",
-                  in_brackets(body.mesh.nodes.row(node - body.first_node)),
-                  " supports hold both sides, and move them apart by ", apart, when,
-                  ". Let them move alike, or hold one side only");
-  }
 }
 
 /// Solves the equations for unknowns, refuses those that contradict others, and notes those that repeat them. In load steps
@@ -116,7 +115,7 @@ void solve_rows(const Scene& scene, Plan& draft, Equations& all) {
   each_given(scene, draft, [&](const NodeArray& held, std::optional<double> time) {
     const std::string when = time ? text(" at time ", *time) : "";
     for (const Bond& bond : all.bonds)
-      check_between(draft, bond, held.reshaped<Eigen::RowMajor>(), when);
+      check_left_out(draft, bond, held.reshaped<Eigen::RowMajor>(), when);
     if (std::exchange(known, true) && all.solved.repeated.empty()) return;
     VectorXd rounding(free.rows());
     for (Index k = 0; k < rounding.size(); ++k)

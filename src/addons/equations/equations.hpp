@@ -44,7 +44,7 @@ struct Bond {
   std::vector<Eigen::Index> nodes = {};  ///< without pairs: those whose forces are told, among all nodes
   std::size_t first = 0;   ///< of its equations
   std::size_t end = 0;     ///< the one after its last
-  std::vector<Equation> between = {};  ///< of a tie, left out because supports hold the node and part of what it faces
+  std::vector<Equation> left_out = {};  ///< of a tie: supports hold its node, and part of what this faces
   /// Of a rigid side: component and force of what drives it [force].
   std::vector<std::pair<Eigen::Index, double>> loads = {};
 };

@@ -46,7 +46,7 @@ VectorXd given_by(const Equations& all, const Unknowns& unknowns, const NodeArra
   return given;
 }
 
-/// Contacts are followed by the pairs that are kept.
+/// Contacts are followed by the pairs that are kept; those whose pairs have no nodes are not, as what equations hold there cannot be told.
 void cut_followed(const std::vector<Index>& kept, Plan& draft) {
   if (!draft.followed) return;
   std::vector<FollowedContact> followed = *draft.followed;
@@ -57,8 +57,11 @@ void cut_followed(const std::vector<Index>& kept, Plan& draft) {
     for (; pair < draft.contact_of.size() && draft.contact_of[pair] == k; ++pair)
       if (std::binary_search(kept.begin(), kept.end(), static_cast<Index>(pair)))
         own.push_back(static_cast<Index>(pair - first));
-      else
+      else if (draft.gaps.pairs.node[pair] >= 0)
         followed[k].given.push_back(draft.gaps.pairs.node[pair]);
+      else
+        followed[k].linear = true;
+    std::sort(followed[k].given.begin(), followed[k].given.end());
     followed[k].gap = VectorXd(followed[k].gap(own));
   }
   draft.followed = std::make_shared<const std::vector<FollowedContact>>(std::move(followed));
@@ -163,6 +166,11 @@ void note_given(const Scene& scene, const std::vector<Index>& given, Plan& draft
     draft.notes.push_back(text(in_words(scene, draft, k), ": ", own, own == 1 ? " pair" : " pairs",
                                " can neither open nor close, for ties, relations or rigid sides hold ",
                                own == 1 ? "it" : "them", ": no contact force there"));
+    const auto nodeless = [&](Index pair) {
+      return draft.contact_of[at(pair)] == k && draft.gaps.pairs.node[at(pair)] < 0;
+    };
+    if (std::any_of(given.begin(), given.end(), nodeless))
+      draft.notes.back() += ". How far the other pairs of this contact slide is not looked at";
   }
 }
 

@@ -42,13 +42,17 @@ Equation combined_rows(const Pairs& pairs, const NodalRows& slips, Index pair, d
   return equation;
 }
 
-/// Whether supports take the place of a row: they hold its node, and what this faces in part. If they hold all of that, the row
+/// Whether supports take the place of a row: they hold its node, and part of what this faces. If they hold all of that, the row
 /// says whether they close the gap.
-bool between_supports(const Plan& draft, const Equation& row, Index own) {
-  const auto given = std::count_if(row.terms.begin(), row.terms.end(), [&](const auto& term) {
-    return held(draft, term.first);
-  });
-  return held(draft, own) && given > 1 && given < static_cast<std::ptrdiff_t>(row.terms.size());
+bool between_supports(const Plan& draft, const Equation& row) {
+  Index faced = 0;
+  Index given = 0;
+  for (const auto& [component, value] : row.terms) {
+    if (component / 2 == row.own / 2) continue;
+    ++faced;
+    if (held(draft, component)) ++given;
+  }
+  return held(draft, row.own) && given > 0 && given < faced;
 }
 
 /// The rows of a pair: one along its normal, or one along each axis, so that a support that holds a node along x takes the
@@ -143,7 +147,7 @@ void add_tie(const Tie& tie, Plan& draft, Equations& all) {
   for (Index pair = 0; pair < bond.pairs.initial_gap.size() && !tie.stiffness; ++pair) {
     const Index node = first_node + bond.pairs.node[at(pair)];
     for (Equation& row : rows_of(bond.pairs, slips, pair, node, draft, tie.slides))
-      (between_supports(draft, row, row.own) ? bond.between : all.rows).push_back(std::move(row));
+      (between_supports(draft, row) ? bond.left_out : all.rows).push_back(std::move(row));
   }
   bond.end = all.rows.size();
   const bool rigid = std::holds_alternative<Obstacle>(tie.sides.target);

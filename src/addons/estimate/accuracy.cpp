@@ -37,7 +37,7 @@ constexpr Index patience = 16;
 /// ... and so many halvings should close enough pairs.
 constexpr int most_unresolved = 12;
 /// So often all cells are halved before contact is said not to close: coarse meshes are too stiff.
-constexpr int most_times = 2;
+constexpr int most_full_halvings = 2;
 
 /// What the answer may be wrong by, if the estimate is within a factor of two: where it has a sign and is added, the sum
 /// of the sizes of the parts, which can cancel by luck; of one without a sign twice it, which is no less.
@@ -155,7 +155,7 @@ class Loop {
     if (now.error) {
       const double target = wanted_.target * std::abs(now.value);
       if (is_nothing(now.value)) {
-        if (nothing_closes() && halve_all(times_of_none_)) return refine(next);
+        if (nothing_closes() && halve_all(halvings_as_none_closed_)) return refine(next);
         return stop(
             text("the value is 0, which no error can be compared with",
                  nothing_closes()
@@ -179,7 +179,7 @@ class Loop {
           now.of_estimate <= target ? 1 : std::max(aim * target / now.of_estimate, least_left);
       const double growth = part < 1 && confirmed() ? worthwhile : confirming;
       marks_ = mark_elements(run_.model, run_.solution, *run_.estimate, part, growth);
-    } else if (stagnates() && !halve_all(times_of_few_)) {
+    } else if (stagnates() && !halve_all(halvings_as_few_closed_)) {
       return stop(
           "refinement, also of all cells, does not close more pairs of a contact: it touches at "
           "points, or the meshes are too stiff");
@@ -195,7 +195,7 @@ class Loop {
 
   /// Marks all edges, unless that was done often enough. \return whether they are marked
   bool halve_all(int& times) {
-    if (times == most_times) return false;
+    if (times == most_full_halvings) return false;
     ++times;
     marks_.clear();
     for (const BodyModel& body : run_.model.bodies) marks_.push_back(marked_alike(body.mesh, 1));
@@ -295,8 +295,8 @@ class Loop {
   AccurateSolution run_;
   std::vector<MarkedEdges> marks_;
   int halvings_ = 0;
-  int times_of_none_ = 0;  // how often all cells were halved because nothing closed...
-  int times_of_few_ = 0;   // ... or too few pairs
+  int halvings_as_none_closed_ = 0;  // how often all cells were halved because nothing closed...
+  int halvings_as_few_closed_ = 0;   // ... or too few pairs
 };
 
 }  // namespace

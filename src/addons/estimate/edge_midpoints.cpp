@@ -36,9 +36,9 @@ EdgeMidpoints::EdgeMidpoints(const Mesh& mesh, const MeshEdges& edges, std::vect
   std::vector<char> done(on_.size(), 0);
   for (std::size_t e = 0; e < on_.size(); ++e) {
     if (halved_[e] == 0 || done[e] != 0 || edges.sides[e][1].cell >= 0) continue;
-    const std::vector<Walked> chord = chord_from(static_cast<Index>(e));
-    done[at(chord.back().edge)] = 1;
-    bend(chord, off(chord.front(), shape), off(chord.back(), shape));
+    const std::vector<Walked> line = line_from(static_cast<Index>(e));
+    done[at(line.back().edge)] = 1;
+    bend(line, off(line.front(), shape), off(line.back(), shape));
   }
 }
 
@@ -60,8 +60,8 @@ void EdgeMidpoints::visit_new(Index edge, Visit&& visit) const {
 }
 
 /// The edges opposite each other, through quadrilaterals, from one of the outline to the other end.
-std::vector<EdgeMidpoints::Walked> EdgeMidpoints::chord_from(Index edge) const {
-  std::vector<Walked> chord = {{edge, false}};
+std::vector<EdgeMidpoints::Walked> EdgeMidpoints::line_from(Index edge) const {
+  std::vector<Walked> line = {{edge, false}};
   CellSide side = edges_.sides[at(edge)][0];
   while (side.cell >= 0 && mesh_.corners(side.cell) == 4) {
     const CellSide opposite{side.cell, (side.side + 2) % 4};
@@ -69,10 +69,10 @@ std::vector<EdgeMidpoints::Walked> EdgeMidpoints::chord_from(Index edge) const {
     const std::array<CellSide, 2>& cells = edges_.sides[at(next)];
     // A cell walks opposite sides in opposite directions, and two cells their common edge.
     const bool first = cells[0].cell == opposite.cell && cells[0].side == opposite.side;
-    chord.push_back({next, first});
+    line.push_back({next, first});
     side = cells[first ? 1 : 0];
   }
-  return chord;
+  return line;
 }
 
 /// How far the outline is off the new nodes of an edge, in walking order; nothing if the edge is inside.
@@ -87,20 +87,20 @@ std::vector<Vector2d> EdgeMidpoints::off(const Walked& walked, const Shape& shap
   return ways;
 }
 
-/// Moves the new nodes of a chord off their edges.
-void EdgeMidpoints::bend(const std::vector<Walked>& chord, const std::vector<Vector2d>& start,
+/// Moves the new nodes of a refinement line off their edges.
+void EdgeMidpoints::bend(const std::vector<Walked>& line, const std::vector<Vector2d>& start,
                          const std::vector<Vector2d>& end) {
   const auto middle = [&](const Walked& walked) {
     return SideCurve(mesh_, edges_.sides[at(walked.edge)][0]).point(0);
   };
   std::vector<double> place = {0};
-  for (std::size_t k = 1; k < chord.size(); ++k)
-    place.push_back(place.back() + (middle(chord[k]) - middle(chord[k - 1])).norm());
-  for (std::size_t k = 0; k < chord.size(); ++k) {
+  for (std::size_t k = 1; k < line.size(); ++k)
+    place.push_back(place.back() + (middle(line[k]) - middle(line[k - 1])).norm());
+  for (std::size_t k = 0; k < line.size(); ++k) {
     const double t = k == 0 ? 0 : place[k] / place.back();
     std::size_t count = 0;
-    visit_new(chord[k].edge, [&](Index number, Index, Index, double) {
-      const std::size_t j = chord[k].against ? start.size() - ++count : count++;
+    visit_new(line[k].edge, [&](Index number, Index, Index, double) {
+      const std::size_t j = line[k].against ? start.size() - ++count : count++;
       nodes_.row(number) += ((1 - t) * start[j] + t * end[j]).transpose();
     });
   }

@@ -11,8 +11,8 @@
 
 namespace signorini {
 
-/// Nodes on halved edges. Those on the outline lie as OutlineShape says; those of a chord between quadrilaterals are
-/// moved off their edges as its two ends are, the more the nearer they are along the chord.
+/// Nodes on halved edges. Those on the outline lie as OutlineShape says; those of a refinement line between quadrilaterals are
+/// moved off their edges as its two ends are, the more the nearer they are along the line.
 class EdgeMidpoints {
  public:
   /// \param mesh    any; must outlive this
@@ -40,10 +40,10 @@ class EdgeMidpoints {
   };
   template <typename Visit>
   void visit_new(Eigen::Index edge, Visit&& visit) const;
-  [[nodiscard]] std::vector<Walked> chord_from(Eigen::Index edge) const;
+  [[nodiscard]] std::vector<Walked> line_from(Eigen::Index edge) const;
   template <typename Shape>
   [[nodiscard]] std::vector<Eigen::Vector2d> off(const Walked& walked, const Shape& shape) const;
-  void bend(const std::vector<Walked>& chord, const std::vector<Eigen::Vector2d>& start,
+  void bend(const std::vector<Walked>& line, const std::vector<Eigen::Vector2d>& start,
             const std::vector<Eigen::Vector2d>& end);
 
   const Mesh& mesh_;

@@ -92,25 +92,25 @@ int longest_side(const Mesh& mesh, Index triangle) {
 }
 
 std::vector<Index> refinement_lines(const Mesh& mesh, const MeshEdges& edges) {
-  std::vector<Index> chord(edges.size(), -1);
+  std::vector<Index> line(edges.size(), -1);
   std::vector<Index> open;
   Index count = 0;
   for (std::size_t first = 0; first < edges.size(); ++first) {
-    if (chord[first] >= 0) continue;
+    if (line[first] >= 0) continue;
     open.push_back(static_cast<Index>(first));
-    chord[first] = count;
+    line[first] = count;
     while (!open.empty()) {
       const Index edge = open.back();
       open.pop_back();
       visit_opposite(mesh, edges, edge, [&](Index other) {
-        if (chord[at(other)] >= 0) return;
-        chord[at(other)] = count;
+        if (line[at(other)] >= 0) return;
+        line[at(other)] = count;
         open.push_back(other);
       });
     }
     ++count;
   }
-  return chord;
+  return line;
 }
 
 std::vector<char> closed_under_halving(const Mesh& mesh, const MeshEdges& edges,

@@ -50,11 +50,11 @@ struct MarkedEdges {
 ///   then lowest
 [[nodiscard]] int longest_side(const Mesh& mesh, Eigen::Index triangle);
 
-/// The *refinement lines* (chords) of a mesh: edges that are opposite sides of quadrilaterals, one after another, can only be halved
-/// together. A chord ends at the outline or at a triangle; an edge between triangles is one by itself.
+/// The *refinement lines* of a mesh: edges that are opposite sides of quadrilaterals, one after another, can only be halved
+/// together. A line ends at the outline or at a triangle; an edge between triangles is one by itself.
 /// \param mesh   any
 /// \param edges  of it
-/// \return number of the chord of each edge, from 0, in the order of their first edges
+/// \return number of the line of each edge, from 0, in the order of their first edges
 [[nodiscard]] std::vector<Eigen::Index> refinement_lines(const Mesh& mesh, const MeshEdges& edges);
 
 /// Which other edges must be halved so that no cell is left with a hanging node: with a side of a quadrilateral the

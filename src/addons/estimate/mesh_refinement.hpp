@@ -14,7 +14,7 @@ namespace signorini {
 /// leaves an angle below half the smallest of the first mesh.
 ///
 /// Old nodes stay where they are, with their numbers. New ones on the outline lie on the line that the outline
-/// follows there, see OutlineShape; those along a chord between quadrilaterals follow its two ends, the more the
+/// follows there, see OutlineShape; those along a refinement line between quadrilaterals follow its two ends, the more the
 /// nearer they are, so that concentric circles stay circles; all others lie where the shape functions of the
 /// cell have them. Cells of a curved side so coarse that its arc leaves them are found by check_mesh().
 /// \param mesh    any

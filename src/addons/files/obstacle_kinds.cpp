@@ -110,7 +110,8 @@ const std::vector<Kind<Obstacle>>& obstacle_kinds() {
                                {centre_key(), radius_key("of the hole")},
                                [](const Given& s) { return hole(s.centre, s.radius); }),
       kind_of<Obstacle, Given>(
-          "pin_in_hole", "a round pin in a round hole of the body; its gap is linear in the shift",
+          "pin_in_hole", "a round pin in a round hole of the body; its gap is linear in the shift, so where bodies move "
+          "take a disc",
           {centre_key(),
            required(key("clearance", &Given::clearance, "length",
                         "radius of the hole less radius of the pin")),

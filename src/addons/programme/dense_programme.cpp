@@ -16,6 +16,7 @@
 #include "addons/programme/proximal_programme.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
+#include "signorini/core/triangular.hpp"
 #include "signorini/problem/systems.hpp"
 
 namespace signorini {
@@ -70,9 +71,9 @@ DenseSolution claimed(const DenseCondensed& condensed, const ProgrammeRows& data
   for (Index& row : state.active) row += data.equations();
   solution.active = std::move(state.active);
   solution.gap = of_all_rows(state.gap, data.count());
-  const auto transposed = condensed.factor.lower().transpose().triangularView<Eigen::Upper>();
-  solution.refined.displacement =
-      condensed.free_displacement - transposed.solve(condensed.half * state.force);
+  VectorXd pushed = condensed.half * state.force;
+  solve_lower_transposed(condensed.factor.lower(), pushed);
+  solution.refined.displacement = condensed.free_displacement - pushed;
   solution.refined.force = of_all_rows(state.force, data.count());
   if (state.farkas_certificate.size() > 0)
     solution.farkas_certificate = of_all_rows(state.farkas_certificate, data.count());

@@ -7,6 +7,7 @@
 #include "addons/steps/histories.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/scene/bodies.hpp"
+#include "signorini/scene/checks.hpp"
 #include "signorini/scene/effects.hpp"
 
 namespace signorini {
@@ -37,6 +38,28 @@ void check_path(const Path& path) {
   }
 }
 
+/// What names a history must name one of the path.
+void check_known(const std::string& name, const std::vector<History>& histories) {
+  std::string names;
+  bool known = name.empty();
+  for (const History& history : histories) {
+    known = known || history.name == name;
+    names += (names.empty() ? "'" : ", '") + history.name + "'";
+  }
+  require_input(known, "no history is called '", name,
+                "'; those of the load steps: ", names.empty() ? "none" : names);
+}
+
+/// Asked before effects, which look at what supports give at the end of every step.
+Check::Notes check_histories(const Scene& scene, const BodyModel& /*body*/) {
+  if (!scene.path) return {};
+  check_path(*scene.path);
+  const auto known = [&](const std::string& name) { check_known(name, scene.path->histories); };
+  for (const Body& body : scene.bodies) each_history(body, known);
+  for (const ContactSpec& contact : scene.contacts) known(contact.interference_history);
+  return {};
+}
+
 /// The rows of a history, if they are few.
 std::string rows_in_words(const History& history) {
   constexpr std::size_t few = 6;
@@ -53,9 +76,6 @@ class Sorting {
   Sorting(const Scene& scene, const Plan& draft) : scene_(scene), draft_(draft) {
     part("");
     for (const History& history : scene.path->histories) part(history.name);
-    for (const Body& body : scene.bodies)
-      each_history(body, [&](const std::string& history) { find(history); });
-    for (const ContactSpec& contact : scene.contacts) find(contact.interference_history);
     for (std::size_t b = 0; b < scene.bodies.size(); ++b) sort_body(b);
     for (std::size_t pair = 0; pair < draft.contact_of.size(); ++pair) {
       const ContactSpec& contact = scene.contacts[draft.contact_of[pair]];
@@ -85,14 +105,8 @@ class Sorting {
   }
 
   LoadPart& find(const std::string& history) {
-    const auto found = std::find_if(parts_.begin(), parts_.end(),
-                                    [&](const LoadPart& part) { return part.history == history; });
-    if (found != parts_.end()) return *found;
-    std::string names;
-    for (const History& known : scene_.path->histories)
-      names += (names.empty() ? "'" : ", '") + known.name + "'";
-    throw ProblemError(text("no history is called '", history,
-                            "'; those of the load steps: ", names.empty() ? "none" : names));
+    return *std::find_if(parts_.begin(), parts_.end(),
+                         [&](const LoadPart& part) { return part.history == history; });
   }
 
   LoadPart& use(const std::string& history) {
@@ -127,7 +141,6 @@ class Sorting {
 };
 
 void declare_steps(const Scene& scene, Plan& draft) {
-  check_path(*scene.path);
   Sorting sorting(scene, draft);
   draft.path = *scene.path;
   const bool finite =
@@ -207,6 +220,7 @@ std::vector<double> equal_steps(int steps, double end) {
 }
 
 void register_load_steps() {
+  add_check({"histories", check_histories});
   add_effect({"load steps",
               [](const Scene& scene, const Plan& /*draft*/) { return scene.path.has_value(); },
               declare_steps, add_parts});

@@ -5,7 +5,6 @@
 /// from the one to the other stands here.
 #pragma once
 #include <Eigen/SparseCore>
-#include <string>
 #include <vector>
 
 #include "signorini/contact/pairs.hpp"

@@ -19,7 +19,6 @@
 #include "signorini/fem/stress.hpp"
 
 #include <array>
-#include <cmath>
 #include <mutex>
 #include <vector>
 

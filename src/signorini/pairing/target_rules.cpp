@@ -190,14 +190,14 @@ std::pair<Index, Index> TargetSearch::next_corner(Index from, int end) const {
 /// of the block as well. Places at the corner are left if their normal leans by less than 50 degrees.
 bool TargetSearch::beyond_corner(const Projection& place, const Vector2d& source_normal) const {
   const auto faced = [&](const Vector2d& normal) { return -normal.dot(source_normal); };
-  if (faced(place.normal) > aside_cosine) return false;
+  if (faced(place.normal) > facing_cosine) return false;
   for (const int end : {-1, 1}) {
     const auto [here, next] = next_corner(place.side, end);
     if (next < 0) continue;
     Vector2d near = side(here).normal(end), far = side(next).normal(-end);
     const bool swapped = faced(far) > faced(near);
     if (swapped) std::swap(near, far);
-    if (faced(near) <= aside_cosine || faced(far) >= grazing_cosine) continue;
+    if (faced(near) <= facing_cosine || faced(far) >= grazing_cosine) continue;
     const Vector2d arm = place.gap * place.normal + (place.point - side(here).point(end));
     const double deepest = depth(swapped ? next : here);
     if (near.dot(arm) + deepest > -grazing_cosine * arm.norm()) return true;

@@ -44,7 +44,7 @@ inline constexpr double corner_cosine = 0.7071;
 inline constexpr double grazing_cosine = 0.174;
 
 /// Cosine of 50 degrees [-]. A side whose normal is nearer than that to pointing at the source is one that the source looks at.
-inline constexpr double aside_cosine = 0.643;
+inline constexpr double facing_cosine = 0.643;
 
 /// Sides of one boundary in a tree of boxes.
 ///

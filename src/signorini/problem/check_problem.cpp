@@ -51,12 +51,13 @@ void check_magnitudes(const ContactProblem& problem, bool of_matrix) {
   const Eigen::MatrixXd& F = problem.compliance;
   const Eigen::Index pairs = problem.free_gap.size();
   const double longest = std::max(largest(problem.free_gap), largest(problem.free_slip));
+  const bool tiny = longest > 0 && longest < 1 / most;
   for (Eigen::Index j = 0; j < F.cols(); ++j) {
     // Rows of gaps come first, so a row below `pairs` is a gap.
     const Eigen::Index slip = j - pairs;
     const bool gap = slip < 0;
-    const double movement = gap ? problem.free_gap(j) : problem.free_slip(slip);
-    require_argument((within(movement, most) || std::abs(movement) < 1) && within(longest, most) &&
+    const double movement = std::abs(gap ? problem.free_gap(j) : problem.free_slip(slip));
+    require_argument(movement <= most && !(tiny && movement == longest) &&
                          (!of_matrix ||
                           (within(F(j, j), most) && F.col(j).cwiseAbs().maxCoeff() <= most)) &&
                          (gap || (within(problem.law.coefficient(slip), most) &&

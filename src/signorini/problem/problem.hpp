@@ -128,7 +128,7 @@ enum class Uniqueness {
   Doubtful  ///< others exist: a sign proves it, or one was found, see uniqueness()
 };
 
-/// The pair that a warning of several solutions rests on, see uniqueness_warning().
+/// What a warning of several solutions rests on, see uniqueness_warning().
 ///
 /// The determinant of the equations of the pairs that slide is linear in the mu of each of them. Divided by its value
 /// without the friction of this pair, it is \f$ 1 - \mu/\mu_c \f$: it changes its sign, and several solutions begin, at
@@ -194,8 +194,8 @@ void check_sizes(const ContactProblem& problem);
 /// \param problem    any
 /// \param of_matrix  whether the numbers of F, which another problem may have had before, are looked at too
 /// \throws std::invalid_argument unless all sizes fit, all numbers are finite, mu and c are >= 0, and the
-///   numbers of F, its diagonal, d, s, mu and c are so far from overflow and underflow (2^-340 to 2^340, or 0;
-///   small numbers beside the diagonal do no harm) that forces and energies are too; those of r, the largest of
+///   numbers of F, its diagonal, d, s, mu and c are so far from overflow and underflow (2^-340 to 2^340, or 0; small numbers
+///   beside the diagonal, and of d and s beside larger ones, do no harm) that forces and energies are too; those of r, the largest of
 ///   each column of R and all of its rows with F_ii = 0, whose quotients are forces as well, 2^-170 to 2^170
 void check_finite(const ContactProblem& problem, bool of_matrix = true);
 

@@ -19,7 +19,7 @@ void add_check(const Check& member) { add_member(member, open_family<Check>()); 
 void check_solution(const Model& model, const Condensed& condensed, Solution& solution) {
   ask_checks(solution.notes, &Check::solution, model, solution);
   for (const Check& check : checks())
-    if (check.judge != nullptr) check.judge(model, condensed, solution);
+    if (check.withdraw != nullptr) check.withdraw(model, condensed, solution);
 }
 
 }  // namespace signorini

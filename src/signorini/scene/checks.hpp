@@ -1,7 +1,7 @@
 // This header is internal: chapters do not include it, and it is not installed.
 /// \file
-/// The family of checks: observers that tell a user what is legal but seldom meant. A check writes notes and refuses nothing:
-/// what would give wrong answers is refused by plan(). The library has no member; a program gets those of the add-on
+/// The family of checks: observers that tell a user what is legal but seldom meant. A check writes notes, and the last of its functions may
+/// withdraw a solution. What would give wrong answers whatever is computed is refused before that. The library has no member; a program gets those of the add-on
 /// checks by register_checks().
 #pragma once
 #include <string>
@@ -27,7 +27,7 @@ struct Check {
   /// Asked by solve() of a solution that is Solved.
   Notes (*solution)(const Model& model, const Solution& solution) = nullptr;
   /// Asked by solve() behind all others: may add to a solution that is Solved, or withdraw it.
-  void (*judge)(const Model& model, const Condensed& condensed, Solution& solution) = nullptr;
+  void (*withdraw)(const Model& model, const Condensed& condensed, Solution& solution) = nullptr;
 };
 
 /// \return all members, in the order in which they are asked
@@ -48,7 +48,7 @@ void ask_checks(std::vector<std::string>& notes,
       for (std::string& note : (check.*function)(subjects...)) notes.push_back(std::move(note));
 }
 
-/// Asks every member for its notes on a solution, then those that judge it.
+/// Asks every member for its notes on a solution, then those that may withdraw it.
 /// \param model      that was solved
 /// \param condensed  from condense() of it
 /// \param[in,out] solution  Solved

@@ -22,6 +22,7 @@
 #include "signorini/core/rounding.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/effects.hpp"
+#include "signorini/scene/motions.hpp"
 #include "signorini/solvers/solvers.hpp"
 
 namespace signorini::effect {
@@ -60,11 +61,12 @@ std::vector<char> can_slide(const Scene& scene, const Plan& draft) {
     slides.push_back(draft.standing ? rows.row(pair).nonZeros() > 0
                                     : draft.gaps.T.row(pair).norm() > 0);
   if (draft.standing || std::count(slides.begin(), slides.end(), 0) == 0) return slides;
+  const double rounding = 16 * std::max(epsilon, direction_rounding(draft.bodies));
   each_given(scene, draft, [&](const NodeArray& held, std::optional<double> /*time*/) {
     const VectorXd given = held.reshaped<Eigen::RowMajor>();
     const VectorXd slip = rows * given, terms = rows.cwiseAbs() * given.cwiseAbs();
     for (Index pair = 0; pair < slip.size(); ++pair)
-      if (std::abs(slip(pair)) > 16 * epsilon * terms(pair)) slides[at(pair)] = 1;
+      if (std::abs(slip(pair)) > rounding * largest(terms)) slides[at(pair)] = 1;
   });
   return slides;
 }

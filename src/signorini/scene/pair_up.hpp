@@ -22,8 +22,8 @@ namespace signorini {
 struct FollowedContact {
   ContactSpec contact;  ///< of the scene
   Eigen::VectorXd gap;  ///< of the pairs that supports leave, in the meshes before fit() [length]
-  bool linear = false;  ///< whether it is not followed: its gaps change as the meshes have it, as in a sliding tie
-  std::vector<Eigen::Index> given = {};  ///< nodes, of all bodies, whose pairs equations hold and that are none of `gap`
+  bool linear = false;  ///< whether its gaps are taken as linear and are not searched again, as of a sliding tie
+  std::vector<Eigen::Index> given = {};  ///< nodes of all bodies, increasing, whose pairs were left out: equations hold them
 };
 
 }  // namespace signorini

@@ -90,7 +90,7 @@ void DualActiveSet::find_most_violated() {
 }
 
 // The loop. Where blocks are allowed, candidates that are independent of the closed pairs join as
-// one. If none is independent, and in single steps always, the worst is pressed alone, while others
+// one block. If none is independent, and in single steps always, the worst is pressed alone, while others
 // leave for it.
 //
 // In exact numbers the energy rises each time. With rounding, rows that are nearly equal can
@@ -108,7 +108,7 @@ SolveStatus DualActiveSet::run() {
       const SolveStatus status = press(candidates_.rows.front());
       if (status != SolveStatus::Solved) return status;
     }
-    if (above(highest)) {
+    if (energy_exceeds(highest)) {
       highest = basis_.dual_energy();
       forget_stalled();
     } else {  // rows that only change places, as nearly equal ones do, must not do so for ever

@@ -59,7 +59,7 @@ class DualActiveSet {
   enum class Row : char { Open, Closed, Stalled };
 
   bool close_block();
-  [[nodiscard]] bool above(double energy) const;
+  [[nodiscard]] bool energy_exceeds(double energy) const;
   void forget_stalled();
   void mark_stalled(const std::vector<Eigen::Index>& rows);
   void find_most_violated();

@@ -55,7 +55,7 @@ void DualActiveSet::settle(Index before) {
       solve();
       negative = pulling();
     }
-    if (!above(energy)) {  // too bold: back, and step by step
+    if (!energy_exceeds(energy)) {  // too bold: back, and step by step
       std::swap(basis_, saved_);
       for (const Index row : basis_.rows()) state_[at(row)] = Row::Closed;
       force_.segment(before, basis_.size() - before).setZero();

@@ -24,7 +24,7 @@ using Eigen::Index, Eigen::VectorXd;
 
 // Energies are sums of squares. Two that differ by their rounding count as equal. Otherwise rows
 // that only change places would seem to raise the energy, and they could do so for ever.
-bool DualActiveSet::above(double energy) const {
+bool DualActiveSet::energy_exceeds(double energy) const {
   const auto terms = static_cast<double>(basis_.size() + 1);
   return basis_.dual_energy() > energy * (1 + terms * epsilon);
 }
