@@ -7,6 +7,7 @@
 #include "signorini/core/errors.hpp"
 #include "signorini/fem/elements.hpp"
 #include "signorini/fem/strain_laws.hpp"
+#include "signorini/scene/bodies.hpp"
 #include "signorini/scene/checks.hpp"
 #include "signorini/scene/effects.hpp"
 

@@ -3,6 +3,7 @@
 #include "addons/motion/moved_scene.hpp"
 #include "addons/motion/register.hpp"
 #include "signorini/core/errors.hpp"
+#include "signorini/scene/bodies.hpp"
 #include "signorini/scene/effects.hpp"
 
 namespace signorini {

@@ -67,11 +67,9 @@ void check_rotations(const Model& model, Solution& solution) {
   std::size_t of = 0;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     if (model.bodies[b].material.base.law != nullptr) continue;
-    if (std::string folded = inside_out(model.bodies[b], solution.displacements[b]); !folded.empty()) {
-      solution.contact.report.status = SolveStatus::TurnedTooFar;
-      solution.contact.reason = std::move(folded);
-      return;
-    }
+    solution.contact.reason = inside_out(model.bodies[b], solution.displacements[b]);
+    if (!solution.contact.reason.empty())
+      return void(solution.contact.report.status = SolveStatus::TurnedTooFar);
     for (const MeshPiece& piece : model.bodies[b].pieces) {
       const double turn = mean_turn(model.bodies[b].mesh, piece, solution.displacements[b]);
       if (std::abs(turn) <= std::abs(most)) continue;
