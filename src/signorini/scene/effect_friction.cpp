@@ -64,9 +64,10 @@ std::vector<char> can_slide(const Scene& scene, const Plan& draft) {
   const double rounding = 16 * std::max(epsilon, direction_rounding(draft.bodies));
   each_given(scene, draft, [&](const NodeArray& held, std::optional<double> /*time*/) {
     const VectorXd given = held.reshaped<Eigen::RowMajor>();
-    const VectorXd slip = rows * given, terms = rows.cwiseAbs() * given.cwiseAbs();
+    const VectorXd slip = rows * given;
+    const double least = rounding * largest(rows.cwiseAbs() * given.cwiseAbs());
     for (Index pair = 0; pair < slip.size(); ++pair)
-      if (std::abs(slip(pair)) > rounding * largest(terms)) slides[at(pair)] = 1;
+      if (std::abs(slip(pair)) > least) slides[at(pair)] = 1;
   });
   return slides;
 }

@@ -79,8 +79,7 @@ void DualActiveSet::find_most_violated() {
       {basis_.size(), static_cast<Index>(violated.size()), overlap, 0, basis_.dual_energy()});
   const VectorXd& weight = *rows_.weight;
   const auto worse = [&](Index a, Index b) {
-    const double first = gap_(a) * weight(a);
-    const double second = gap_(b) * weight(b);
+    const double first = gap_(a) * weight(a), second = gap_(b) * weight(b);
     return first < second || (first == second && a < b);
   };
   const std::size_t most = std::min(violated.size(), at(2 * group_));
