@@ -117,9 +117,8 @@ void solve_rows(const Scene& scene, Plan& draft, Equations& all) {
     for (const Bond& bond : all.bonds)
       check_left_out(draft, bond, held.reshaped<Eigen::RowMajor>(), when);
     if (std::exchange(known, true) && all.solved.repeated.empty()) return;
-    VectorXd rounding(free.rows());
-    for (Index k = 0; k < rounding.size(); ++k)
-      rounding(k) = all.rows[at(k)].rounding + 64 * epsilon * held.cwiseAbs().maxCoeff();
+    VectorXd rounding = VectorXd::Constant(free.rows(), 64 * epsilon * held.cwiseAbs().maxCoeff());
+    for (Index k = 0; k < rounding.size(); ++k) rounding(k) += all.rows[at(k)].rounding;
     all.solved = eliminate(free, right_sides(all, held), rounding, own, all.held);
     const std::vector<Index>& wrong = all.solved.contradicting;
     require_input(wrong.empty(), wrong.size(),
