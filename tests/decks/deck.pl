@@ -4,7 +4,8 @@
 # deck.pl PROGRAM DECKS FOLDER --check: no scene, mesh or row of that table is without its deck.
 #
 # A row of DECKS/references is `quantity | reference | where the reference stands`, with a fourth part if it has a tolerance of its own, or `differs: why`.
-# A quantity is `WHAT of WHOM`, and behind that, where it has a meaning, ` at PLACE`, ` time T` and ` over W`, by which ours is divided:
+# A quantity is `WHAT of WHOM`, and behind that, where it has a meaning, ` at PLACE`, ` time T`, ` over W`, by which ours is divided, and ` grown SOURCE`: a stress on the area
+# that the side of this source has after loading makes the force that is compared, so ours is multiplied by that area over the area before. WHAT is:
 #   u_x u_y of BODY at x,y                     displacement of the node that was there before loading; ` turned A`: in a scene that is turned back by A degrees
 #   s_xx s_yy s_xy of BODY at x,y              stress there
 #   R_x R_y of BODY                            what its supports bear
@@ -54,7 +55,8 @@ sub solved {    # the document of the program, the steps of it and their VTU fil
     die "deck.pl: $name is not solved, exit code ", $? >> 8, "\n" if $?;
     my $read = Json::decode($said);
     my @steps = $read->{steps} ? @{ $read->{steps} } : ($read);
-    for my $k (0 .. $#steps) { $steps[$k]{vtu} = $read->{steps} ? sprintf("$folder/%s_%04d.vtu", $name, $k + 1) : $vtu }
+    my $axial = slurp("$decks/$name.toml") =~ /axial symmetry/;
+    for my $k (0 .. $#steps) { $steps[$k]{axial} = $axial; $steps[$k]{vtu} = $read->{steps} ? sprintf("$folder/%s_%04d.vtu", $name, $k + 1) : $vtu }
     return \@steps;
 }
 
@@ -118,6 +120,23 @@ sub of_pair {    # a column of the nearest pair of a source
     return $pairs->{$column}[$nearest];
 }
 
+sub growth {    # area of the straight side of a source after loading, over that before; of revolution where the scene is
+    my ($step, $source) = @_;
+    my ($body) = $source =~ /^(\w+)\./ or die "'$source': expected BODY.SIDE\n";
+    my (@before, @after);
+    for (pairs_of($step, $source)) {
+        my ($x, $y) = ($step->{pairs}{x}[$_], $step->{pairs}{y}[$_]);
+        my @u = map { at_node($step, $body, "$x,$y", 'displacement', $_) } 0, 1;
+        push @before, [$x, $y];
+        push @after, [$x + $u[0], $y + $u[1]];
+    }
+    my $area = sub {
+        my ($p, $q) = @_[0, -1];
+        return sqrt(($q->[0] - $p->[0])**2 + ($q->[1] - $p->[1])**2) * ($step->{axial} ? abs($p->[0] + $q->[0]) : 1);
+    };
+    return $area->(@after) / $area->(@before);
+}
+
 sub root_mean_square {
     my ($u, $sum) = (piece_of(@_)->{displacement}, 0);
     $sum += $_**2 for @$u;    # the third component is 0
@@ -126,8 +145,8 @@ sub root_mean_square {
 
 sub ours {
     my ($steps, $asked) = @_;
-    my ($what, $whom, $place, $turned, $time, $over) = $asked =~ /^(\w+) of (\S+?)(?: at (\S+))?(?: turned (\S+))?(?: time (\S+))?(?: over (\S+))?$/
-        or die "'$asked': expected WHAT of WHOM at PLACE turned A time T over W\n";
+    my ($what, $whom, $place, $turned, $time, $over, $grown) = $asked =~ /^(\w+) of (\S+?)(?: at (\S+))?(?: turned (\S+))?(?: time (\S+))?(?: over (\S+))?(?: grown (\S+))?$/
+        or die "'$asked': expected WHAT of WHOM at PLACE turned A time T over W grown SOURCE\n";
     my ($step) = defined $time ? grep({ abs($_->{time} - $time) < 1e-9 } @$steps) : $steps->[-1];
     die "no step at time $time\n" if !$step;
     my $value;
@@ -150,7 +169,7 @@ sub ours {
     elsif ($what eq 'pressing') { $value = grep { $step->{pairs}{force}[$_] > 0 } pairs_of($step, $whom) }
     elsif ($what eq 'rms') { $value = root_mean_square($step, $whom) }
     die "'$asked': unknown quantity\n" if !defined $value;
-    return $value / ($over // 1);
+    return $value / ($over // 1) * (defined $grown ? growth($step, $grown) : 1);
 }
 
 sub allowed { my ($tolerance, $reference) = @_; return $tolerance =~ /^(\S+) %$/ ? $1 / 100 * abs($reference) : $tolerance }
@@ -191,13 +210,21 @@ sub alike {    # two rows of the table: the same words, and numbers that differ 
     return 1;
 }
 
+sub total {    # how many decks agree in every number; a row that `differs` fails once it does no longer, so references know
+    my ($deck) = @_;
+    my @names = keys %$deck;
+    my @whole = grep { !grep { $_->{differs} } @{ $deck->{$_}{rows} } } @names;
+    my %project = map { $deck->{$_}{project} => 1 } @whole;
+    return sprintf "%d of %d decks agree in every number, of %d projects.\n", scalar @whole, scalar @names, scalar keys %project;
+}
+
 my ($deck, $order) = references();
 my $readme = "$decks/README.md";
 if ($asked eq '--update') {
     my $table = "| deck | project | what it shows | worst within the tolerance | reference | ours | tolerance | agree |\n|:--|:--|:--|:--|--:|--:|--:|--:|\n";
     $table .= table_row($_, $deck->{$_}, compared($_, $deck->{$_})) for @$order;
     my $text = slurp($readme);
-    $text =~ s/(<!-- decks -->\n\n).*?(\n<!-- \/decks -->)/$1$table$2/s or die "deck.pl: $readme: no <!-- decks -->\n";
+    $text =~ s/(<!-- decks -->\n\n).*?(\n<!-- \/decks -->)/$1@{[total($deck)]}\n$table$2/s or die "deck.pl: $readme: no <!-- decks -->\n";
     open my $out, '>', $readme or die "deck.pl: $readme: $!\n";
     print $out $text;
     close $out or die "deck.pl: $readme: $!\n";
@@ -209,7 +236,10 @@ if ($asked eq '--check') {
     my @told = slurp($readme) =~ /^\| \[(\w+)\]\(/mg;
     print "no deck of references needs $_\n" for @idle;
     print "the table of README.md has other decks than references, or in another order: run --update\n" if "@told" ne "@$order";
-    exit(@idle || "@told" ne "@$order" ? 1 : 0);
+    my $total = total($deck);
+    my $counted = index(slurp($readme), $total) >= 0;
+    print "README.md should say: $total" if !$counted;
+    exit(@idle || "@told" ne "@$order" || !$counted ? 1 : 0);
 }
 die "deck.pl: no deck '$asked' in references\n" if !$deck->{$asked};
 my @rows = compared($asked, $deck->{$asked});
