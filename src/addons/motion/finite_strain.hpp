@@ -1,4 +1,3 @@
-// This header is internal: chapters do not include it, and it is not installed.
 /// \file
 /// Finite strain of a cell, for any law that gives the energy of a displacement gradient.
 #pragma once
