@@ -22,21 +22,31 @@ double rate(const std::vector<double>& moves) {
   return std::stod(number(std::pow(moves[last] / moves[2], 1 / double(last - 2)), "%.2g"));
 }
 
-// Pressed by a depth, then dragged by 0.1 mm: the moves of the second step.
+// Pressed by a depth, then dragged by 0.1 mm: the second step, whose moves are a curve of the figure.
+Place dragged(const Assembled& bodies, double depth, int corrections, Table& curve) {
+  const Place pressed = step(bodies, at_rest(bodies), {0, -depth});
+  Place end = step(bodies, pressed.u, {0.1, -depth}, 60, corrections);
+  for (std::size_t k = 0; k < end.moves.size(); ++k)
+    curve.row({depth, double(corrections), double(k + 1), std::max(end.moves[k], rounding)});
+  curve.blank_line();
+  return end;
+}
+
 void depths(const ProgramOptions& run, Results& results) {
   const Assembled bodies = assembled(blocks(1));
-  Table curve({"depth", "iteration", "move"});
+  Table curve({"depth", "corrections", "iteration", "move"});
   Table table({"depth over height", "iterations", "rate", "rate over depth"});
   for (const double depth : {0.05, 0.02, 0.005, 0.001}) {
-    const Place pressed = step(bodies, at_rest(bodies), {0, -depth});
-    const Place dragged = step(bodies, pressed.u, {0.1, -depth});
-    for (std::size_t k = 0; k < dragged.moves.size(); ++k)
-      curve.row({depth, double(k + 1), std::max(dragged.moves[k], rounding)});
-    curve.blank_line();
-    const double shrinks = rate(dragged.moves);
-    table.row({number(depth), number(double(dragged.moves.size())), number(shrinks, "%.2g"),
+    const Place frozen = dragged(bodies, depth, 0, curve);
+    if (depth == 0.05) results.add("iterations_of_0", double(frozen.moves.size()), "-");
+    const double shrinks = rate(frozen.moves);
+    table.row({number(depth), number(double(frozen.moves.size())), number(shrinks, "%.2g"),
                number(shrinks / depth, "%.1f")});
     results.add(text("rate_", number(1000 * depth)), shrinks, "-");
+  }
+  for (const int corrections : {1, 6}) {
+    const Place turned = dragged(bodies, 0.05, corrections, curve);
+    results.add(text("iterations_of_", corrections), double(turned.moves.size()), "-");
   }
   std::cout << table.markdown();
   write_file(run.out / "loop.md", table.markdown());

@@ -1,5 +1,6 @@
 // Chapter 22 - Contact of bodies that move, as a loop of linear contact problems.
 #pragma once
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -127,13 +128,35 @@ inline NodeArray pushes(const Assembled& bodies, const Place& place) {
   return Eigen::Map<const NodeArray>(all.data(), bodies.model.unknowns.number.rows(), 2);
 }
 
+/// The way to the answer of the linear contact problem of a place under a load; `contact` becomes that answer.
+inline VectorXd way(const Assembled& bodies, const Gaps& gaps, const NodalRows& A,
+                    const VectorXd& load, ContactState& contact) {
+  const VectorXd free = bodies.factor.solve(load);
+  contact = solve(linear_problem(bodies, gaps, A, free), bodies.model.solver);
+  return free - bodies.factor.solve(A.transpose() * forces_of(contact));
+}
+
+/// What contact forces do along a way d because they turn: a difference over 1e-8 of it, beside bodies of size 1. Nothing where
+/// that finds other pairs.
+inline VectorXd turned(const Assembled& bodies, const Place& now, const NodeArray& before,
+                       const NodalRows& A, const VectorXd& d) {
+  const double part = 1e-8 / std::max(d.cwiseAbs().maxCoeff(), 1e-300);
+  // [turned]
+  const NodeArray ahead = now.u + part * expand(bodies.model.unknowns, d);
+  const NodalRows there = rows_of(gaps_at(bodies, ahead, before));
+  if (there.rows() != A.rows()) return VectorXd::Zero(d.size());
+  return (A - there).transpose() * forces_of(now.contact) / part;
+  // [turned]
+}
+
 /// One step, from where the last one ended; the hand is already at its new place.
-/// \param before  `n_nodes x 2` from the scene to the end of the last step [length]
-/// \param hand    displacement of the top of the tool [length]
-/// \param most    iterations
+/// \param before       `n_nodes x 2` from the scene to the end of the last step [length]
+/// \param hand         displacement of the top of the tool [length]
+/// \param most         iterations
+/// \param corrections  how often an iteration lets contact forces turn along the way that it has found
 inline Place step(const Assembled& bodies, const NodeArray& before, const Vector2d& hand,
-                  std::size_t most = 60) {
-  const auto& [of, model, factor] = bodies;
+                  std::size_t most = 60, int corrections = 0) {
+  const Model& model = bodies.model;
   Place now{before, {}, {}, {}};
   for (const Index node : boundary_nodes(model.bodies[1].mesh, "top"))
     now.u.row(model.bodies[1].first_node + node) = hand.transpose();
@@ -141,9 +164,10 @@ inline Place step(const Assembled& bodies, const NodeArray& before, const Vector
   do {
     now.gaps = gaps_at(bodies, now.u, before);  // pairs where the bodies are,
     const NodalRows A = rows_of(now.gaps);      // frozen until the next iteration
-    const VectorXd free = factor.solve(out_of_balance(model, now.u));
-    now.contact = solve(linear_problem(bodies, now.gaps, A, free), model.solver);
-    const VectorXd d = free - factor.solve(A.transpose() * forces_of(now.contact));
+    const VectorXd load = out_of_balance(model, now.u);
+    VectorXd d = way(bodies, now.gaps, A, load, now.contact);
+    for (int k = 0; k < corrections; ++k)
+      d = way(bodies, now.gaps, A, load + turned(bodies, now, before, A, d), now.contact);
     now.u += expand(model.unknowns, d);
     now.moves.push_back(d.cwiseAbs().maxCoeff());
   } while (now.moves.back() > rounding && now.moves.size() < most);
