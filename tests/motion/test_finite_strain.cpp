@@ -5,6 +5,8 @@
 #include "addons/motion/finite_strain.hpp"
 #include "addons/steps/steps.hpp"
 #include "catch_compat.hpp"
+#include "meshes/block.hpp"
+#include "meshes/split.hpp"
 #include "signorini/fem/elements.hpp"
 #include "signorini/fem/strain_laws.hpp"
 #include "signorini/fem/stress.hpp"
@@ -144,6 +146,15 @@ TEST_CASE("a block between smooth plates has the force and the width of the clos
       CHECK(std::abs(stress(0, 1) - force / width) <= 1e-10);  // true stress: of the width now
       CHECK(std::abs(stress(0, 0)) <= 1e-10);
     }
+  // A mesh of quadrilaterals and triangles strains as one of either.
+  for (const char* element : {"q4", "q8"}) {
+    Scene whole = pressed("neo_hooke", element, 0.7, 1), mixed = whole;
+    mixed.bodies[0].mesh = split(mixed.bodies[0].mesh, {1, 2});
+    const Walked run = walked(mixed);
+    INFO(run.end.reason);
+    REQUIRE(run.end.status == SolveStatus::Solved);
+    CHECK(std::abs(run.top[0].y() - walked(whole).top[0].y()) <= 1e-11);
+  }
   for (const double s : {0.9, 0.7}) {
     CAPTURE(s);
     const Walked run = walked(pressed("st_venant_kirchhoff", "q8", s, 1));
@@ -341,6 +352,31 @@ TEST_CASE("bodies that are carried 1e4 of their sizes keep their forces",
     // Of each of the two, a certificate lets 1e-12 of forces pass; a block has five times as stiff a mode as its softest.
     CHECK((far - still).cwiseAbs().maxCoeff() <= 5e-12 * still.cwiseAbs().maxCoeff());
   }
+}
+
+// Its ends are taken down by six heights, onto a disc: a stress is some 1e-4 of what a cell that is stretched as far would have.
+TEST_CASE("a strip a hundred times as long as high bends over a disc", "[motion]") {
+  Scene scene;
+  Body& strip = scene.bodies[0];
+  strip.mesh = block("strip", {-50, 0}, {100, 1}, 100, 2, MeshOrder::Quadratic);
+  strip.element = "q8";
+  strip.material = {1000, 0.3, PlaneState::Strain, 1};
+  strip.material.law = find_strain_law("st_venant_kirchhoff");
+  for (const char* side : {"left", "right"}) {
+    strip.supports.push_back(prescribed(side, Axis::Y, -6));
+    strip.supports.back().history = "press";
+  }
+  scene.contacts = {{{"bottom", "strip"}, disc({0, -20.5}, 20)}};
+  scene.path = Path{equal_steps(4), {proportional("press")}};
+  Vector2d sum(0, 0);
+  const PathEnd end = solve_steps(scene, [&](const Model& model, const Step& step) {
+    CHECK(step.solution.certificate.worst() <= 1e-12);
+    sum = resultants(model, step.solution).force;
+    CHECK(std::abs(sum.x()) <= 1e-9 * std::abs(sum.y()));  // the mirror of itself
+  });
+  INFO(end.reason);
+  REQUIRE(end.status == SolveStatus::Solved);
+  CHECK(sum.y() > 0);
 }
 
 TEST_CASE("the tangents of a step hardly differ in pattern, and share an order of elimination",

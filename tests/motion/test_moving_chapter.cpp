@@ -77,3 +77,29 @@ TEST_CASE("with the normal's turning the error of a node is squared", "[motion]"
     CHECK(last < 1e-14);
   }
 }
+
+// A block at a depth of 5 % of its height, with friction and without: the moves of the step that drags it.
+TEST_CASE("frozen forces leave a quarter of each move, and forces that turn its square", "[motion]") {
+  for (const double friction : {0.0, 0.3}) {
+    CAPTURE(friction);
+    Two of = blocks(1);
+    of.friction = friction;
+    const Assembled bodies = assembled(of);
+    const auto moves = [&](int corrections) {
+      const Place pressed = step(bodies, at_rest(bodies), {0, -0.05}, 60, corrections);
+      const Place dragged = step(bodies, pressed.u, {0.1, -0.05}, 60, corrections);
+      CHECK(pressed.arrived);
+      CHECK(dragged.arrived);
+      return dragged.moves;
+    };
+    const std::vector<double> frozen = moves(0), turned = moves(6);
+    CHECK(frozen.size() <= 25);
+    CHECK(frozen.size() > 10);
+    CHECK(turned.size() <= 6);
+    for (std::size_t k = turned.size() - 3; k < turned.size(); ++k) {
+      CAPTURE(k, turned[k - 1], turned[k]);
+      CHECK(turned[k] <= 0.2 * turned[k - 1]);
+      CHECK(turned[k] <= 100 * turned[k - 1] * turned[k - 1] + rounding);
+    }
+  }
+}

@@ -146,7 +146,7 @@ TEST_CASE("a block is dragged over many sides of a stiff base: friction is mu ti
           "[motion]") {
   MovingBlocks of;
   of.stiffness = 1e6;
-  of.base_cells = 40;
+  of.base_cells = 102;  // the drag goes over 51 of them
   of.steps = 24;
   const Scene scene = moving_blocks(of);
   double least = 1e300, most = 0;
@@ -167,7 +167,7 @@ TEST_CASE("a block is dragged over many sides of a stiff base: friction is mu ti
   REQUIRE(end.status == SolveStatus::Solved);
   CHECK(end.halvings == 0);
   CHECK(steps == 25);
-  CHECK(searches <= 25 * steps);
+  CHECK(searches <= 12 * steps);
   CHECK((most - least) / most <= 2e-5);
 }
 

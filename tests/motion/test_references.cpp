@@ -218,8 +218,10 @@ TEST_CASE("the die of shallow ironing goes down and along with the known forces"
   scene.path = Path{equal_steps(20), {proportional("press"), {"drag", {1, 2}, {0, 1}}}};
   for (int k = 1; k <= (signorini_test::sanitized ? 0 : 50); ++k) scene.path->times.push_back(1 + 0.01 * k);
   std::map<double, Vector2d> force;
-  Index pairs = 0;
+  Index pairs = 0, steps = 0, searches = 0;
   const PathEnd end = solve_steps(scene, [&](const Model& model, const Step& step) {
+    ++steps;
+    searches += step.solution.ledger.counted("pairs", "searches");
     force[step.state.time] = resultants(model, step.solution).force;
     pairs = std::max(pairs, model.pairs.weight.size());
   });
@@ -232,6 +234,7 @@ TEST_CASE("the die of shallow ironing goes down and along with the known forces"
   };
   CHECK(off(1, 315.6, 66.2) <= 0.003);
   if (scene.path->times.back() > 1) CHECK(off(1.5, 401.4, 132.1) <= 0.003);
+  CHECK(searches <= 12 * steps);  // one of them in each iteration
   CHECK(pairs < 120);  // of 241 nodes along the slab
 }
 
