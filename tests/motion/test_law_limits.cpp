@@ -146,3 +146,29 @@ TEST_CASE("a tangent that stays indefinite is named with its body, its law and i
   CHECK_THAT(end.reason, ContainsSubstring("the last good state is that of time"));
   CHECK_THAT(end.reason, ContainsSubstring("lost its stability") && ContainsSubstring("'block' (st_venant_kirchhoff) is 0."));
 }
+
+// Held at both ends, a column of height L and width h buckles at the strain pi^2 h^2 / (3 L^2), which shear of its sections
+// lowers by some 3 % here: 0.164 of 20, or a little less.
+TEST_CASE("a column above Euler's load stands straight and is noted", "[motion][closed-form]") {
+  for (const double press : {0.15, 0.17}) {
+    CAPTURE(press);
+    Scene scene;
+    Body& column = scene.bodies[0];
+    column.mesh = block("column", {0, 0}, {1, 20}, 2, 40, MeshOrder::Quadratic);
+    column.element = "q8";
+    column.material = {1000, 0.3, PlaneState::Strain, 1};
+    column.material.law = find_strain_law("st_venant_kirchhoff");
+    column.supports = {fixed("bottom"), prescribed("top", Axis::X, 0),
+                       prescribed("top", Axis::Y, -press)};
+    column.supports[2].history = "press";
+    scene.path = Path{{1}, {proportional("press")}};
+    std::vector<std::string> notes;
+    const PathEnd end =
+        solve_steps(scene, [&](const Model&, const Step& step) { notes = step.solution.notes; });
+    REQUIRE(end.status == SolveStatus::Solved);
+    const bool unstable = std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
+      return note.find("the equilibrium is unstable") == 0 && note.find("'column'") != std::string::npos;
+    });
+    CHECK(unstable == (press > 0.16));
+  }
+}

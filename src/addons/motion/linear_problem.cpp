@@ -50,8 +50,6 @@ struct Rung {
 
 constexpr std::array<Rung, 7> ladder = {
     {{40, 0}, {400, 0}, {4000, 0}, {40, 1e-6}, {40, 1e-4}, {40, 1e-2}, {40, 1e-1}}};
-constexpr std::size_t weak_springs = 3;  // they and the next are on the right as well
-constexpr std::size_t stiff_springs = 5;  // these make ways short
 
 /// Makes \f$ \rho A_c^T A_c \f$, which belongs to K, and adds \f$ \rho A_c^T g_c \f$ to p. Where one of the rows c is about to open it resists
 /// a little, as a spring that is at rest where it holds.

@@ -17,6 +17,10 @@ namespace signorini {
 [[nodiscard]] std::vector<Eigen::Index> held_rows(const std::vector<ContactStatus>& statuses,
                                                   const FrictionLaw& law);
 
+/// Rungs of the ladder from which on springs hold every unknown, since no pair that presses makes the tangent definite: weak ones,
+/// which are on the right as well, and stiff ones, which make ways short.
+inline constexpr std::size_t weak_springs = 3, stiff_springs = 5;
+
 /// The linear problem of a model with a tangent of its own, which may be indefinite.
 struct TangentProblem {
   Model& model;  ///< placed, with K and p of the iteration, which it keeps

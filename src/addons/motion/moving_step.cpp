@@ -171,12 +171,11 @@ bool Moving::ends(Solution& solution) {
     solution = linear_problem();
     ledger = std::move(solution.ledger);
     if (solution.contact.report.status != SolveStatus::Solved) return false;
-    const bool gone = goes_to(solution);
-    if (gone && holds_here(solution, names, frictional)) return true;
-    if (!gone) {
+    if (!goes_to(solution)) {
       held = held_rows(all_statuses(solution.contact), model.law);
       break;
     }
+    if (holds_here(solution, names, frictional)) return true;
     hand_on(names, all_statuses(solution.contact));
   }
   solution.contact.report.status = SolveStatus::IterationLimit;
@@ -197,6 +196,8 @@ Solution Moving::solved(const VectorXd& expected) {
     if (ends(solution)) {
       place.conclude(solution);
       check_rotations(model, solution);
+      if (held.empty() && model.modes.empty() && rung >= weak_springs)
+        solution.notes.push_back(text("the equilibrium is unstable, the smallest push may lead elsewhere: ", why_indefinite(model, held, stiff_springs)));
       if (solution.contact.report.status == SolveStatus::Solved)
         check_solution(model, condensed, solution);
     }
@@ -212,19 +213,16 @@ Solution Moving::solved(const VectorXd& expected) {
 }  // namespace
 
 StepLoop moving_step(PlacePairs place) {
-  StepLoop loop;
-  loop.place = [place](const Displaced& displacement, const Displaced& before, Model& model) {
-    place(displacement, before, model);
-    count_from_the_scene(displacement, model);
-  };
-  loop.solve = [place = std::move(place)](const Displaced& before, const VectorXd& expected,
-                                          const SolverOptions& options, Model& model,
-                                          Condensed& condensed, Ledger ledger) {
-    return Moving{before, model, condensed, options, std::move(ledger), {place, before, model}}
-        .solved(expected);
-  };
-  loop.certify = certificate_where_it_stands;
-  return loop;
+  return {[place](const Displaced& displacement, const Displaced& before, Model& model) {
+            place(displacement, before, model);
+            count_from_the_scene(displacement, model);
+          },
+          [place](const Displaced& before, const VectorXd& expected, const SolverOptions& options,
+                  Model& model, Condensed& condensed, Ledger ledger) {
+            return Moving{before, model, condensed, options, std::move(ledger), {place, before, model}}
+                .solved(expected);
+          },
+          certificate_where_it_stands};
 }
 
 }  // namespace signorini
