@@ -5,7 +5,7 @@
 #   check   a browser that opens every page
 #   formats what checks our documents and converts meshes of others: Python's jsonschema, VTK and meshio
 #   live    a compiler for browsers, for make engine
-#   package what builds a package for Debian, and finds a library without CMake
+#   package what builds a package for Debian, finds a library without CMake, and makes a clean Debian to install it in
 #   print   the same browser, the letters of figures and Chinese words, where words break, and what looks at pages, for make book-pdf
 #   strict  the second compiler of the stricter presets
 #   peers   other people's programs and libraries, for make peers and make bench
@@ -18,7 +18,7 @@ check="chromium python3 fonts-dejavu-core"
 formats="python3-jsonschema python3-vtk9 python3-meshio meshio-tools python3-h5py python3-netcdf4"
 print="$check fonts-wqy-microhei hyphen-en-gb poppler-utils"
 live="emscripten"
-package="dpkg-dev pkg-config"
+package="dpkg-dev pkg-config mmdebstrap"
 strict="clang"
 peers="calculix-ccx python3-getfem r-cran-quadprog libsiconos-numerics-dev libsuitesparse-dev libmumps-seq-dev libopenblas-dev python3-cvxopt"
 parallel="libsuitesparse-dev libmumps-dev libopenmpi-dev openmpi-bin"
