@@ -1,9 +1,10 @@
-// The scene files in examples/ that have bonds, against closed forms.
+// The scene files in examples/ that have bonds, and a curved seat: closed forms, laws and mirrors.
 #include <cmath>
 #include <filesystem>
 
 #include "addons/equations/equations.hpp"
 #include "addons/files/scene_file.hpp"
+#include "addons/steps/steps.hpp"
 #include "catch_compat.hpp"
 #include "signorini/scene/readings.hpp"
 
@@ -48,4 +49,45 @@ TEST_CASE("the plate of the examples tilts by F e h / (E I)", "[rigid-sides][exa
   const std::vector<Index> top = boundary_nodes(run.model.bodies[0].mesh, "top");
   const double fall = std::abs(u(top.back(), 1) - u(top.front(), 1));
   CHECK(fall == Approx(80.0 * 100 * 5 * 20 / (5 * inertia)).epsilon(1e-9));
+}
+
+// All of it slides from the second step on: friction is 0.2 of what presses, and the spring of 400 N/mm bears what its ends have come
+// apart.
+TEST_CASE("the slider of the examples is held by friction and its spring", "[ties][examples]") {
+  const std::filesystem::path root = std::filesystem::path(SIGNORINI_TEST_DATA) / ".." / "..";
+  const Scene scene = read_scene(root / "examples" / "drawer.toml").scene;
+  Index slides = 0;
+  const PathEnd end = solve_steps(scene, [&](const Model& model, const Step& step) {
+    const Resultants sum = resultants(model, step.solution);
+    if (step.state.steps > 1) {
+      CHECK(sum.force.x() == Approx(-0.2 * sum.force.y()).epsilon(1e-10));
+      ++slides;
+    }
+    const auto moved = [&](std::size_t body, double x, double y) {
+      const NodeArray& nodes = model.bodies[body].mesh.nodes;
+      Index node = 0;
+      (nodes.rowwise() - Eigen::RowVector2d(x, y)).rowwise().squaredNorm().minCoeff(&node);
+      return step.solution.displacements[body](node, 0);
+    };
+    const BondForces spring = bond_forces(model, step.solution).front();
+    const double apart = moved(1, 30, 10) - moved(0, 60, 6);
+    CHECK(spring.force.x() == Approx(-400 * apart).epsilon(1e-10).margin(1e-12));
+  });
+  CHECK(end.status == SolveStatus::Solved);
+  CHECK(slides == 4);
+}
+
+// The seat and the pad are their own mirrors.
+TEST_CASE("the pad of the examples is pressed by its seat as its mirror is", "[examples]") {
+  const SolvedScene run = run_of("curved_seat");
+  const Eigen::VectorXd& p = run.solution.pressure;
+  Index closed = 0;
+  for (Index k = 0; k < p.size(); ++k) {
+    CHECK(p(k) == Approx(p(p.size() - 1 - k)).margin(1e-10 * p.maxCoeff()));
+    closed += p(k) > 0 ? 1 : 0;
+  }
+  CHECK(closed == 19);
+  Index highest = 0;
+  p.maxCoeff(&highest);
+  CHECK(highest == p.size() / 2);
 }
