@@ -137,7 +137,7 @@ bool contact(Table& table) {
     const Solution solution = solve(model, condensed, solver, ledger);
     certified = certified && solution.contact.report.status == SolveStatus::Solved;
     table.row({text(model.unknowns.count), text(model.programme.A.rows()),
-               text(solution.contact.active.size()), number(factor, "%.3f"),
+               text(solution.contact.active().size()), number(factor, "%.3f"),
                number(median(seconds), "%.4f"), number(100 * median(seconds) / factor, "%.2f"),
                text(solution.contact.report.iterations),
                number(solution.certificate.worst(), "%.0e")});

@@ -84,7 +84,7 @@ struct Tables {
 void note(const std::string& name, const Cost& cost, Tables& tables) {
   const Solution& solution = cost.first;
   tables.price.row({name, text(cost.unknowns), text(solution.contact.force.size()),
-                    text(solution.contact.active.size()), text(solution.contact.report.iterations),
+                    text(solution.contact.active().size()), text(solution.contact.report.iterations),
                     text(solution.ledger.counted("refinement", "solves")),
                     number(median(cost.times.at("plain")), "%.3f"),
                     ratio(cost, "condense", "plain"), ratio(cost, "whole", "plain"),
@@ -158,7 +158,7 @@ Walk walk(Index cells_y, double friction, int steps, int last) {
   const double start = processor_seconds();
   const PathEnd end = solve_steps(scene, [&](const Model&, const Step& step) {
     walk.solves += step.solution.ledger.counted("refinement", "solves");
-    walk.closed = static_cast<Index>(step.solution.contact.active.size());
+    walk.closed = static_cast<Index>(step.solution.contact.active().size());
     walk.certified = walk.certified && is_certified(step.solution);
   });
   walk.seconds = processor_seconds() - start;

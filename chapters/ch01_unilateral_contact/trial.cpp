@@ -30,7 +30,7 @@ SolveStatus chapter(const ProgramOptions& run) {
   write_file(run.out / "candidates.md", table.markdown());
   std::cout << table.markdown();
   results.add("small_candidates", static_cast<double>(tried.gap.size()), "-");
-  results.add("small_closed", static_cast<double>(tried.active.size()), "-");
+  results.add("small_closed", static_cast<double>(tried.active().size()), "-");
   results.print();
   results.write(run.out);
   return SolveStatus::Solved;

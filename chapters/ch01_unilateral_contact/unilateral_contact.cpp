@@ -46,7 +46,7 @@ void sketch(const ProgramOptions& run) {
 
 // Where the pressure ends: it falls like a square root, so p^2 is a straight line there.
 double half_width(const SolvedScene& block) {
-  const Index last = block.solution.contact.active.back();
+  const Index last = block.solution.contact.active().back();
   const double p1 = std::pow(block.solution.pressure(last), 2);
   const double p2 = std::pow(block.solution.pressure(last - 1), 2);
   const double x1 = block.model.pairs.position(last, 0);
@@ -77,7 +77,7 @@ void gap_and_pressure(const ProgramOptions& run, const SolvedScene& block, Resul
   const Resultants sum = resultants(block.model, block.solution);
   results.add("candidates", static_cast<double>(block.model.programme.A.rows()), "-");
   results.add("unknowns", static_cast<double>(block.model.programme.load.size()), "-");
-  results.add("closed", static_cast<double>(block.solution.contact.active.size()), "-");
+  results.add("closed", static_cast<double>(block.solution.contact.active().size()), "-");
   results.add("total_contact_force", sum.force.y(), "N");
   results.add("peak_pressure", sum.peak_pressure, "N/mm^2");
   results.add("half_width", half_width(block), "mm");

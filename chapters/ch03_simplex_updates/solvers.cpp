@@ -21,7 +21,7 @@ SolveStatus chapter(const ProgramOptions& run) {
       std::vector<std::string> row = {rule.name, to_string(state.report.status),
                                       std::to_string(state.report.iterations),
                                       std::to_string(state.report.factorisations),
-                                      solved ? std::to_string(state.active.size()) : "–"};
+                                      solved ? std::to_string(state.active().size()) : "–"};
       if (&problem == &problems.front().problem) {
         half_plane.row(row);
       } else {

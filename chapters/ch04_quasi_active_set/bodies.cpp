@@ -78,7 +78,7 @@ std::vector<std::string> row_of(const char* name, const ContactProblem& problem)
   return {name,
           std::to_string(problem.free_gap.size()),
           std::to_string(all.state.report.history.front().changes),
-          std::to_string(all.state.active.size()),
+          std::to_string(all.state.active().size()),
           std::to_string(all.outer_steps),
           to_string(all.state.report.status),
           number(smallest_coupling(problem.compliance), "%.1e"),

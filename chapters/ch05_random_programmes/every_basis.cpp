@@ -20,7 +20,7 @@ SolveStatus chapter(const ProgramOptions& run) {
   for (Index n = 2; n <= 10; ++n) {
     const ContactProblem problem = fathi(n);
     const ContactState found = lemke(problem, VectorXd::Ones(n));
-    const Run unscaled = counted(found, certify(problem, found), 0);
+    const Run unscaled = counted(found.report, found.active().size(), certify(problem, found), 0);
     const Run scaled = judged(problem, "lemke");
     const Run single = judged(problem, "goldfarb_idnani");
     const Run group = judged(problem, ours);

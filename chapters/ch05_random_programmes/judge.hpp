@@ -40,18 +40,17 @@ inline double seconds_since(std::chrono::steady_clock::time_point begin) {
 }
 
 /// The counts of a run, which is right if its certificate holds.
-template <typename Found>
-Run counted(const Found& found, const Certificate& certificate, double seconds) {
-  return {found.report.status == SolveStatus::Solved && certificate.holds(1e-12),
-          static_cast<double>(found.report.iterations),
-          static_cast<double>(found.report.factorisations),
-          static_cast<double>(found.active.size()), seconds};
+inline Run counted(const Report& report, std::size_t closed, const Certificate& certificate,
+                   double seconds) {
+  return {report.status == SolveStatus::Solved && certificate.holds(1e-12),
+          static_cast<double>(report.iterations), static_cast<double>(report.factorisations),
+          static_cast<double>(closed), seconds};
 }
 
 inline Run judged(const KnownProgramme& known, const char* name) {
   const auto begin = std::chrono::steady_clock::now();
   const DenseSolution found = solve(known.programme, find_solver(name));
-  Run run = counted(found, found.certificate, seconds_since(begin));
+  Run run = counted(found.report, found.active.size(), found.certificate, seconds_since(begin));
   const VectorXd& u = found.refined.displacement;
   if ((u - known.displacement).norm() > 1e-12 * known.displacement.norm()) run.right = false;
   const double f = 0.5 * u.dot(known.programme.stiffness * u) - known.programme.load.dot(u);
@@ -63,7 +62,7 @@ inline Run judged(const ContactProblem& problem, const char* name) {
   const auto begin = std::chrono::steady_clock::now();
   const ContactState found = find_solver(name).solve(problem, {});
   const double seconds = seconds_since(begin);
-  return counted(found, certify(problem, found), seconds);
+  return counted(found.report, found.active().size(), certify(problem, found), seconds);
 }
 
 /// The quickest of the runs that fit into a millisecond.

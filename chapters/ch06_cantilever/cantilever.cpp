@@ -25,7 +25,7 @@ void load_history(const ProgramOptions& run, Results& results) {
     const double force = total_force(now);
     body.row({beam.pressure, force, thin});
     if (step == 5 || step == 25 || step == 50 || step == 90)
-      table.row({number(beam.pressure, "%.1f"), std::to_string(now.solution.contact.active.size()),
+      table.row({number(beam.pressure, "%.1f"), std::to_string(now.solution.contact.active().size()),
                  number(force, "%.3f"), number(thin, "%.3f"), number(thick, "%.3f")});
     if (step == 25) results.add("tip_force", force, "kN");
   }
@@ -41,7 +41,7 @@ SolveStatus chapter(const ProgramOptions& run) {
   const SolvedScene beam = solve_cantilever(paper, "q4_incompatible", 100);
   const ContactState& contact = beam.solution.contact;
   results.add("total_contact_force", total_force(beam), "kN");
-  results.add("closed_nodes", static_cast<double>(contact.active.size()), "-");
+  results.add("closed_nodes", static_cast<double>(contact.active().size()), "-");
   results.add("active_sets", static_cast<double>(contact.report.iterations), "-");
   results.add("coarse_sets",
               static_cast<double>(contact.report.factorisations - contact.report.iterations), "-");

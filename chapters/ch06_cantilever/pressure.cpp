@@ -49,7 +49,7 @@ SolveStatus chapter(const ProgramOptions& run) {
   Index peak = 0;
   results.add("peak_pressure", fine.solution.pressure.maxCoeff(&peak), "kN/cm^2");
   results.add("peak_position", fine.model.pairs.position(peak, 0), "cm");
-  results.add("touchdown", fine.model.pairs.position(fine.solution.contact.active.front(), 0),
+  results.add("touchdown", fine.model.pairs.position(fine.solution.contact.active().front(), 0),
               "cm");
   results.add("euler_bernoulli_touchdown", s, "cm");
   results.add("euler_bernoulli_point_force", euler_bernoulli(paper).point_force, "kN");

@@ -25,7 +25,7 @@ SolveStatus chapter(const ProgramOptions& run) {
     const SolvedScene now = solve_cantilever(beam, "q4_incompatible", 100);
     const ContactState& contact = now.solution.contact;
     deviation = std::max(deviation, (contact.force / F - base.solution.contact.force).norm());
-    table.row({name, std::to_string(contact.active.size()),
+    table.row({name, std::to_string(contact.active().size()),
                std::to_string(contact.report.iterations), number(total_force(now) / F, "%.6f"),
                number(now.solution.pressure.maxCoeff() / stress, "%.6f")});
   }

@@ -48,7 +48,7 @@ InDisc pin_in_disc(double poisson_ratio, double clearance, double shift) {
   VectorXd theta(model.programme.A.rows());
   for (Index k = 0; k < theta.size(); ++k)
     theta(k) = std::atan2(model.pairs.position(k, 1), model.pairs.position(k, 0));
-  const double last = theta(solution.contact.active.front());  // they run towards the pole
+  const double last = theta(solution.contact.active().front());  // they run towards the pole
   return {{1, clearance, force, modulus, modulus}, theta, solution.pressure / force, last};
 }
 // [disc]

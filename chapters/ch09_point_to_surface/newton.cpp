@@ -88,7 +88,7 @@ void compare(const ProgramOptions& run, Results& results) {
     if (n > 40) continue;
     table.row({number(static_cast<double>(one.model.unknowns.count)),
                number(static_cast<double>(force.size())),
-               number(static_cast<double>(one.solution.contact.active.size())),
+               number(static_cast<double>(one.solution.contact.active().size())),
                std::to_string(way.residuals.size() - 1),
                std::to_string(one.solution.contact.report.iterations),
                std::to_string(two.report.iterations), std::to_string(three.report.iterations)});

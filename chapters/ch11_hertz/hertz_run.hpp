@@ -44,7 +44,7 @@ inline HertzRun read_hertz(const HertzCase& now, SolvedScene run) {
     out.force.push_back(now.plate_is_source ? -side.force(k, 1) : side.force(k, 1));
     out.pressure.push_back(out.force.back() / side.weight(k));
   }
-  for (const Eigen::Index pair : out.run.solution.contact.active)
+  for (const Eigen::Index pair : out.run.solution.contact.active())
     out.last_closed = std::max(out.last_closed, out.run.model.pairs.position(pair, 0));
   out.fit = fit_hertz(out.x, out.pressure);
   out.half_width = half_width_of_forces(

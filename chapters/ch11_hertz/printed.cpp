@@ -81,7 +81,7 @@ std::vector<std::string> condensed() {
   HertzCase now;
   now.solver = fischer_burmeister();
   const HertzRun ours = solve_hertz(now);
-  const std::string active = std::to_string(ours.run.solution.contact.active.size());
+  const std::string active = std::to_string(ours.run.solution.contact.active().size());
   const double peak = *std::max_element(ours.pressure.begin(), ours.pressure.end());
   return {"nodes",
           "match",

@@ -47,7 +47,7 @@ void contacts(const ProgramOptions& run, const SolvedScene& now, Results& result
   results.add("upper_width_error", 100 * (half_width_of_forces(high.x, high.force) / b - 1), "%");
   results.add("iterations", static_cast<double>(now.solution.contact.report.iterations), "-");
   results.add("pairs", static_cast<double>(now.model.pairs.weight.size()), "-");
-  results.add("closed_pairs", static_cast<double>(now.solution.contact.active.size()), "-");
+  results.add("closed_pairs", static_cast<double>(now.solution.contact.active().size()), "-");
   results.add("sinks", -now.solution.displacements[2].col(1).maxCoeff(), "mm");
 }
 

@@ -36,7 +36,7 @@ void points(Results& results) {
   const double h = 2 * weight;
   results.add("points_closed_form", rigid_strip_pressure(strip, a - inner * h) / q, "q");
   results.add("points_inner_closed_form", rigid_strip_pressure(strip, a - outer * h) / q, "q");
-  results.add("points_pressed", static_cast<double>(now.solution.contact.active.size()), "-",
+  results.add("points_pressed", static_cast<double>(now.solution.contact.active().size()), "-",
               Repeats::No);
 }
 

@@ -29,7 +29,7 @@ void load_history(const std::filesystem::path& out, Results& results) {
     const double gap = now.solution.contact.gap.mean();
     mesh.row({p, std::abs(gap) < 1e-12 ? 0 : gap, now.solution.pressure.mean()});
     if (p != 72 && p != 73) continue;
-    results.add(text("closed_at_", p), static_cast<double>(now.solution.contact.active.size()),
+    results.add(text("closed_at_", p), static_cast<double>(now.solution.contact.active().size()),
                 "-");
     results.add(text("p_at_", p), now.solution.pressure.mean(), "MPa");
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "papers/solver_table.hpp"
+#include "signorini/problem/active_set_system.hpp"
 
 namespace museum {
 
@@ -58,10 +59,11 @@ inline VectorXd eliminated(const ContactProblem& problem, const std::vector<Inde
 inline ContactState trial_and_error(const ContactProblem& problem, double spring, double overlap) {
   const Index n = problem.free_gap.size();
   ContactState state;
+  std::vector<Index> closed;
   for (Index i = 0; i < n; ++i)
-    if (problem.free_gap(i) < -overlap) state.active.push_back(i);
+    if (problem.free_gap(i) < -overlap) closed.push_back(i);
   for (int step = 0; step < 100; ++step) {
-    const VectorXd found = eliminated(problem, state.active, spring);
+    const VectorXd found = eliminated(problem, closed, spring);
     if (!found.allFinite()) break;
     state.force = found.head(n);
     state.amplitude = found.tail(problem.rigid.cols());
@@ -69,10 +71,11 @@ inline ContactState trial_and_error(const ContactProblem& problem, double spring
     std::vector<Index> next;
     for (Index i = 0; i < n; ++i)
       if (state.force(i) > 0 || (state.force(i) == 0 && state.gap(i) < -overlap)) next.push_back(i);
-    state.report.status = next == state.active ? SolveStatus::Solved : SolveStatus::IterationLimit;
-    if (next == state.active) break;
-    state.active = next;
+    state.report.status = next == closed ? SolveStatus::Solved : SolveStatus::IterationLimit;
+    if (next == closed) break;
+    closed = next;
   }
+  state.contact_status = signorini::statuses_of(closed, n);
   return state;
 }
 // [guess]

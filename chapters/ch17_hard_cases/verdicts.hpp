@@ -20,7 +20,7 @@ inline double quantity(const std::string& name, const Answer& answer) {
     return static_cast<double>(
         std::count_if(state.contact_status.begin(), state.contact_status.end(), is));
   };
-  if (name == "closed pairs") return static_cast<double>(state.active.size());
+  if (name == "closed pairs") return static_cast<double>(state.active().size());
   if (name == "sticking pairs")
     return count([](signorini::ContactStatus contact_status) {
       return contact_status == signorini::ContactStatus::Stick;

@@ -73,10 +73,10 @@ SolveStatus chapter(const ProgramOptions& run) {
   linear_programme(beam.condensed.problem, one_exchange).force.maxCoeff(&first);
   results.add("first_force_at", beam.model.pairs.position(first, 0), "cm");
   results.add("pairs", static_cast<double>(force.size()), "-");
-  results.add("closed", static_cast<double>(beam.solution.contact.active.size()), "-");
-  results.headline("lp_closed", static_cast<double>(beam.solution.contact.active.size()),
+  results.add("closed", static_cast<double>(beam.solution.contact.active().size()), "-");
+  results.headline("lp_closed", static_cast<double>(beam.solution.contact.active().size()),
                    "the active set method");
-  results.add("lp_closed", static_cast<double>(once.active.size()), "-");
+  results.add("lp_closed", static_cast<double>(once.active().size()), "-");
   Table curve({"increments", "pivots"});
   for (const Index increments : {1, 2, 5, 10, 20, 50, 100, 200}) {
     const Path path = in_increments(beam, increments);

@@ -20,7 +20,7 @@ int main(int argc, char** argv) try {
     // problem, and at most four triangular solves to refine it.
     std::cout << "load,closed,force\n";
     const PathEnd end = solve_steps(file.scene, [](const Model& model, const Step& step) {
-      std::cout << step.state.time << ',' << step.solution.contact.active.size() << ','
+      std::cout << step.state.time << ',' << step.solution.contact.active().size() << ','
                 << resultants(model, step.solution).force.y() << '\n';
     });
     if (end.status != SolveStatus::Solved) throw NotSolved(end.reason);

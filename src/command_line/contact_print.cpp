@@ -101,7 +101,7 @@ void print_contacts(std::ostream& out, const Model& model, const Solution& solut
   for (std::size_t k = 0; k < sums.size(); ++k) {
     print_sums(out, "contact " + model.contacts[k] + ": force on the source", sums[k], axial);
     std::vector<Index> closed;
-    for (const Index pair : solution.contact.active)
+    for (const Index pair : solution.contact.active())
       if (model.contact_of[static_cast<std::size_t>(pair)] == k) closed.push_back(pair);
     print_closed(out, columns, sums[k], closed);
     if (k + 1 < sums.size()) out << '\n';

@@ -35,7 +35,7 @@ Eigen::VectorXd shear_bounds(const Model& model, const Solution& solution) {
     bound(pair) = law.coefficient(row) * solution.pressure(pair);
     cohesion(pair) = law.cohesion(row) / model.pairs.weight(pair);
   }
-  for (const Index pair : solution.contact.active) bound(pair) += cohesion(pair);
+  for (const Index pair : solution.contact.active()) bound(pair) += cohesion(pair);
   return bound;
 }
 

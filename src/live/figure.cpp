@@ -88,7 +88,7 @@ std::string Request::key(const std::vector<std::string>& without) const {
 
 std::vector<Index> closed_pairs(const signorini::ContactState& contact, bool slide) {
   std::vector<Index> found;
-  for (const Index i : contact.active)
+  for (const Index i : contact.active())
     if ((contact.contact_status[static_cast<std::size_t>(i)] != signorini::ContactStatus::Stick) ==
         slide)
       found.push_back(i);
@@ -111,13 +111,14 @@ void Answer::solution(const signorini::Solution& solved, bool determined) {
     number(name, label, static_cast<double>(value), "", "%.0f");
     numbers.back().varies = !determined;
   };
-  count("closed", "closed pairs", static_cast<Index>(contact.active.size()));
+  const std::vector<Index> closed = contact.active();
+  count("closed", "closed pairs", static_cast<Index>(closed.size()));
   count("pairs", "pairs", contact.force.size());
   count("iterations", "iterations", contact.report.iterations);
   rounding("certificate", "certificate, its worst entry", solved.certificate.worst());
-  if (determined) sets.push_back({"closed", {contact.active.begin(), contact.active.end()}});
+  if (determined) sets.push_back({"closed", {closed.begin(), closed.end()}});
   if (determined &&
-      contact.contact_status.size() == static_cast<std::size_t>(contact.force.size())) {
+      contact.friction.size() == contact.force.size()) {
     sets.push_back({"stick", closed_pairs(contact, false)});
     sets.push_back({"slide", closed_pairs(contact, true)});
   }

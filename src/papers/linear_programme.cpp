@@ -111,7 +111,7 @@ std::vector<ContactState> incremental_linear_programme(const ContactProblem& pro
         k == increments ? problem.free_gap : (1 - t) * initial_gap + t * problem.free_gap;
     scaled.free = scaled.scale.cwiseProduct(gap);
     states.push_back(run({problem.compliance, gap}, scaled,
-                         states.empty() ? std::vector<Index>() : states.back().active, options));
+                         states.empty() ? std::vector<Index>() : states.back().active(), options));
     if (states.back().report.status != SolveStatus::Solved) break;
   }
   return states;

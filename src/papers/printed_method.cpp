@@ -58,7 +58,7 @@ bool solved_in_one_step(const ContactProblem& problem, const ContactState& solut
   return std::all_of(std::begin(choices), std::end(choices), [&](QuasiActiveRows rows) {
     const QuasiActiveRun run = run_quasi_active_set_literal(problem, {}, rows);
     return run.outer_steps == 1 && run.state.report.status == SolveStatus::Solved &&
-           run.state.active == solution.active &&
+           run.state.active() == solution.active() &&
            (run.state.force - solution.force).norm() <= 1e-9 * solution.force.norm();
   });
 }
@@ -109,11 +109,11 @@ void add_counts(Results& results, const PrintedMethod& run, const std::string& s
   };
   add("pairs", run.all.state.gap.size());
   add("overlaps", static_cast<Index>(run.group.size()));
-  add("closed", static_cast<Index>(run.all.state.active.size()));
+  add("closed", static_cast<Index>(run.all.state.active().size()));
   add("weight_steps", static_cast<Index>(run.weights.size()) - 1);
   add("jumps", run.jumps);
   add("single_steps", run.one.outer_steps);
-  add("single_closed", static_cast<Index>(run.one.state.active.size()));
+  add("single_closed", static_cast<Index>(run.one.state.active().size()));
 }
 
 }  // namespace signorini

@@ -133,7 +133,7 @@ void LiteralMethod::judge() {
   report_.status = found ? SolveStatus::Solved : SolveStatus::Breakdown;
   if (found) {
     now_ = std::move(found->first);
-    way_.state.active = closed_pairs(found->second);
+    way_.state.contact_status = std::move(found->second);
   }
 }
 
@@ -142,7 +142,7 @@ QuasiActiveRun LiteralMethod::run() {
   if (outer_loop() && last_step()) judge();
   report_.iterations = static_cast<Index>(report_.history.size());
   const std::vector<Index> closed =
-      report_.status == SolveStatus::Solved ? way_.state.active : pressed(now_.force);
+      report_.status == SolveStatus::Solved ? way_.state.active() : pressed(now_.force);
   way_.state = finished(problem_, scaled_, now_, statuses_of(closed, now_.force.size()),
                         std::move(report_), std::move(way_.state.farkas_certificate));
   return std::move(way_);

@@ -34,7 +34,7 @@ ContactState claim(SolveStatus status, const VectorXd& force,
   ContactState state;
   state.force = force;
   state.gap = VectorXd::Zero(force.size());
-  state.active = active;
+  state.contact_status = statuses_of(active, force.size());
   state.report.status = status;
   return state;
 }
@@ -74,7 +74,7 @@ TEST_CASE("a claim that is wrong is mended, but no claim that runs in circles",
   CHECK((right.state.gap - Eigen::Vector2d(0.5, 0)).norm() < 1e-30);
   const CertifiedSolution mended = ends(claim(SolveStatus::Solved, Eigen::Vector2d(-1, 2), {0, 1}));
   CHECK(mended.state.report.status == SolveStatus::Solved);
-  CHECK(mended.state.active == std::vector<Eigen::Index>{1});
+  CHECK(mended.state.active() == std::vector<Eigen::Index>{1});
   const CertifiedSolution wrong = ends(claim(SolveStatus::Solved, Eigen::Vector2d(1, 0), {0}));
   CHECK(wrong.state.report.status == SolveStatus::Breakdown);
   CHECK_FALSE(wrong.state.reason.empty());
@@ -118,7 +118,7 @@ TEST_CASE("where a method breaks down the first of the others that arrives has t
   CHECK(ends({}).state.report.status == SolveStatus::Breakdown);
   const CertifiedSolution end = ends({one_by_one, lemke});
   CHECK(end.state.report.status == SolveStatus::Solved);
-  CHECK(end.state.active == std::vector<Eigen::Index>{1});
+  CHECK(end.state.active() == std::vector<Eigen::Index>{1});
   CHECK(end.certificate.holds());
   // Who limits the iterations of a method wants that method.
   CHECK(ends({one_by_one}, 100).state.report.status == SolveStatus::Breakdown);
@@ -132,7 +132,7 @@ TEST_CASE("pairs whose set was never confirmed are named by their numbers", "[ce
   CHECK(end.state.report.status == SolveStatus::Solved);
   CHECK(end.state.force == Eigen::Vector2d(1, 0));
   CHECK(end.state.gap == Eigen::Vector2d(0, 0.5));
-  CHECK(end.state.active == std::vector<Eigen::Index>{0});
+  CHECK(end.state.active() == std::vector<Eigen::Index>{0});
 }
 
 TEST_CASE("where a claim that is not solved has moved the body is not believed",

@@ -70,7 +70,7 @@ struct Both {
   [[nodiscard]] long long condensed() const {
     return grown.ledger.counted("condensation", "condensed pairs");
   }
-  [[nodiscard]] long long closed() const { return static_cast<long long>(grown.contact.active.size()); }
+  [[nodiscard]] long long closed() const { return static_cast<long long>(grown.contact.active().size()); }
   [[nodiscard]] LedgerEntry condensation() const {
     for (const LedgerEntry& entry : grown.ledger.entries())
       if (entry.path == "condensation") return entry;
@@ -91,7 +91,7 @@ void Both::check_equal() const {
   REQUIRE(grown.contact.report.status == SolveStatus::Solved);
   REQUIRE(all.contact.report.status == SolveStatus::Solved);
   CHECK(grown.certificate.holds());
-  CHECK(grown.contact.active == all.contact.active);
+  CHECK(grown.contact.active() == all.contact.active());
   CHECK(grown.contact.force == all.contact.force);
   CHECK(grown.refined.force == all.refined.force);
   // u in two parts comes from another start: where it is nothing but rounding, it is another rounding.
@@ -171,7 +171,7 @@ TEST_CASE("pairs that close because others close come in round by round", "[work
     both.check_equal();
     // Without contact forces the beam is below the ceiling everywhere.
     CHECK(both.few.problem.free_gap.tail(cells).minCoeff() > 0);
-    CHECK(both.grown.contact.active.back() >= cells);
+    CHECK(both.grown.contact.active().back() >= cells);
     CHECK_FALSE(both.all_condensed());
     CHECK(both.rounds() > 1);
     CHECK(both.condensed() < both.pairs());
@@ -204,7 +204,7 @@ TEST_CASE("where the method fails on the set, all pairs are condensed", "[workin
 TEST_CASE("statuses to begin with are those of the set", "[working_set]") {
   const Both both(pressed(0.4, 1e-3));
   SolverOptions options;
-  options.start = all_statuses(both.all.contact);
+  options.start = both.all.contact.contact_status;
   const Solution again = solve(both.model, both.few, both.model.solver, Ledger(), options);
   CHECK(again.contact.force == both.all.contact.force);
   CHECK(again.contact.report.iterations == 1);

@@ -91,7 +91,8 @@ TEST_CASE("a gap that was closed is compared with the smaller of two bodies", "[
                                   named_block("upper", {0, 6}, {4, 3}, 2, 2)));
   Solution solution;
   solution.contact.force = Eigen::VectorXd::Unit(model.pairs.initial_gap.size(), 2);
-  solution.contact.active = {2};
+  solution.contact.contact_status.assign(std::size_t(model.pairs.initial_gap.size()), ContactStatus::Open);
+  solution.contact.contact_status[2] = ContactStatus::Stick;
   model.pairs.initial_gap(2) = 20;
   const std::vector<std::string> warnings = closed_gap_warnings(model, solution);
   REQUIRE(warnings.size() == 1);

@@ -227,7 +227,7 @@ TEST_CASE("every back end: scenes of every effect have the forces of ours, certi
       REQUIRE(other.contact.report.status == ours.contact.report.status);
       if (ours.contact.report.status != SolveStatus::Solved) continue;
       CHECK(other.certificate.worst() <= 1e-12);
-      CHECK(other.contact.active == ours.contact.active);
+      CHECK(other.contact.active() == ours.contact.active());
       CHECK((other.refined.force - ours.refined.force).norm() <= 1e-10 * ours.refined.force.norm());
     }
 }

@@ -40,7 +40,7 @@ TEST_CASE("every element: a pressed block has the uniform pressure of the closed
       REQUIRE(solution.contact.report.status == SolveStatus::Solved);
       const double modulus = state == PlaneState::Stress ? 500 : 500 / (1 - 0.09);
       const double pressure = modulus * (0.1 - 0.04) / 2;
-      REQUIRE(solution.contact.active.size() ==
+      REQUIRE(solution.contact.active().size() ==
               boundary_nodes(scene.bodies[0].mesh, "bottom").size());
       for (Index pair = 0; pair < solution.pressure.size(); ++pair)
         CHECK(solution.pressure(pair) == Approx(pressure).epsilon(1e-11).margin(0));
@@ -60,7 +60,7 @@ TEST_CASE("every element: a block that is not pushed far enough stays free of fo
     Scene scene = pressed_block(element, PlaneState::Stress);
     scene.bodies[0].supports = {symmetric("left"), prescribed("top", Axis::Y, -0.03)};
     const Solution solution = solve(scene);
-    CHECK(solution.contact.active.empty());
+    CHECK(solution.contact.active().empty());
     CHECK(solution.contact.force.norm() == 0);
     for (Index pair = 0; pair < solution.contact.gap.size(); ++pair)
       CHECK(solution.contact.gap(pair) == Approx(0.01).epsilon(1e-11).margin(0));

@@ -47,7 +47,8 @@ TEST_CASE("the judge of random condensed problems finds what is wrong", "[confor
   G << 1, -1, -1, 1;
   const RandomCondensed wedged{"wedged", {G, Eigen::Vector2d(-1, 0.5)}, false};
   const RandomCondensed grazing{"grazing", {G, Eigen::Vector2d(-1, 1)}, true};
-  ContactState state{Eigen::Vector2d(1, 0), Eigen::Vector2d(0, 0), {0}, {}};
+  ContactState state{Eigen::Vector2d(1, 0), Eigen::Vector2d(0, 0),
+                     {ContactStatus::Stick, ContactStatus::Open}, {}};
   state.report.status = SolveStatus::Solved;
   CHECK(verdict(grazing, state) == Verdict::Solved);
   CHECK(verdict(wedged, state) == Verdict::Wrong);

@@ -83,11 +83,11 @@ TEST_CASE("a rail holds a block that would tip over", "[two-sided]") {
   for (Index k = 0; k < contact.friction.size(); ++k) {
     const double bound = mu * std::abs(contact.force(contact.frictional_pairs[std::size_t(k)]));
     CHECK(std::abs(contact.friction(k)) <= bound * (1 + 1e-10) + 1e-12);
-    if (friction_sign(contact.contact_status[std::size_t(k)]) == 0) continue;
+    if (friction_sign(status_of_slip(contact, k)) == 0) continue;
     slides = true;
     CHECK(std::abs(contact.friction(k)) == Approx(bound).epsilon(1e-9).margin(1e-12));
     CHECK(contact.friction(k) * contact.slip(k) <= 0);
-    CHECK((contact.contact_status[std::size_t(k)] == ContactStatus::SlipForward) ==
+    CHECK((status_of_slip(contact, k) == ContactStatus::SlipForward) ==
           (contact.slip(k) > 0));
   }
   CHECK(slides);

@@ -213,7 +213,7 @@ TEST_CASE("a contact that touches at a point is given up by that name", "[accura
   const AccurateSolution result = accurate(scene, "normal_force", 0.05);
   CHECK_FALSE(result.met);
   CHECK_THAT(result.verdict, ContainsSubstring("touches at points"));
-  CHECK(result.solution.contact.active.size() == 1);
+  CHECK(result.solution.contact.active().size() == 1);
 }
 
 TEST_CASE("a body of two layers becomes as accurate as asked for", "[accuracy][closed-form]") {

@@ -69,7 +69,7 @@ TEST_CASE("what pairs would do if the contact ended elsewhere is what the closed
   CAPTURE(problem.name);
   const SolvedScene run = solved(problem.scene("q4", 16), problem.name);
   const Dual dual(run.model, run.condensed, run.solution);
-  const std::vector<Index>& active = run.solution.contact.active;
+  const std::vector<Index>& active = run.solution.contact.active();
   const Index pairs = run.solution.contact.gap.size();
   Index open = 0;
   while (std::binary_search(active.begin(), active.end(), open)) ++open;
@@ -171,7 +171,7 @@ TEST_CASE("the change of a peak and of a width with the forces is that of centra
   CAPTURE(goal.name);
   const VectorXd change = gradient(run.model, run.solution, goal).force;
   const double step = 1e-5 * run.solution.contact.force.maxCoeff();
-  for (const Index pair : run.solution.contact.active) {
+  for (const Index pair : run.solution.contact.active()) {
     Solution out = run.solution, in = run.solution;
     out.contact.force(pair) += step;
     in.contact.force(pair) -= step;

@@ -100,7 +100,7 @@ TEST_CASE("what a goal overlooks between the nodes is what makes it right", "[go
 TEST_CASE("the free boundary: the cubic through three ends of the contact",
           "[estimate][closed-form]") {
   const SolvedScene run = solved(measured_cantilever().scene("q4", 30), "cantilever");
-  const std::vector<Index>& active = run.solution.contact.active;
+  const std::vector<Index>& active = run.solution.contact.active();
   const Index pairs = run.solution.contact.gap.size();
   const ScaledProblem scaled = equilibrate(run.condensed.problem);
   struct Closed {

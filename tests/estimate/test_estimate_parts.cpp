@@ -55,13 +55,13 @@ TEST_CASE("the algebraic error of a gap that is missed is what it changes goals 
           "[estimate][closed-form]") {
   SolvedScene run = solved(measured_cantilever().scene("q4", 20), "cantilever");
   const std::vector<Goal> goals = measured_cantilever().goals;
-  const Index pair = run.solution.contact.active.front();
+  const Index pair = run.solution.contact.active().front();
   run.model.programme.initial_gap(pair) += 1e-7;  // of another problem, which has its own solution
   const std::vector<Estimate> all = estimated(run, goals);
   Ledger ledger;
   const Condensed condensed = condense(run.model, ledger);
   const Solution other = solve(run.model, condensed, ledger);
-  REQUIRE(other.contact.active == run.solution.contact.active);
+  REQUIRE(other.contact.active() == run.solution.contact.active());
   for (std::size_t k = 0; k < goals.size(); ++k) {
     CAPTURE(goals[k].name);
     const double change = value(run.model, other, goals[k]) - all[k].value;

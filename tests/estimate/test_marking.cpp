@@ -53,7 +53,7 @@ TEST_CASE("the chord across the blamed cell is halved, in the direction that is 
 
 TEST_CASE("a contact that closes few pairs is refined there and nowhere else", "[accuracy]") {
   const SolvedScene run = solved(cantilever("q4", 10, 2), "cantilever");
-  const std::size_t closed = run.solution.contact.active.size();
+  const std::size_t closed = run.solution.contact.active().size();
   REQUIRE(closed > 0);
   CHECK(marks_where_coarse(run.model, run.solution, closed).empty());
   const auto marks = marks_where_coarse(run.model, run.solution, closed + 1);

@@ -73,7 +73,7 @@ TEST_CASE("the cantilever of the examples is that of chapter 6", "[scene_file][e
   const std::string chapter = "ch06_cantilever";
   check_equal(resultants(run.model, run.solution).force.y(),
               committed(chapter, "total_contact_force"));
-  CHECK(static_cast<double>(run.solution.contact.active.size()) ==
+  CHECK(static_cast<double>(run.solution.contact.active().size()) ==
         committed(chapter, "closed_nodes"));
 }
 
@@ -156,7 +156,7 @@ TEST_CASE("the punch of the examples sticks inside and slides at its front",
   CHECK(std::abs(sum.force.y() - 1000) < 1e-9 * 1000);  // the load, upwards on the punch
   CHECK(std::abs(sum.force.x() + 150) < 1e-9 * 1000);
   std::size_t stuck = 0, slid = 0;
-  for (const ContactStatus contact_status : all_statuses(run.solution.contact)) {
+  for (const ContactStatus contact_status : run.solution.contact.contact_status) {
     stuck += contact_status == ContactStatus::Stick ? 1 : 0;
     slid += contact_status == ContactStatus::SlipForward ||
                     contact_status == ContactStatus::SlipBackward
@@ -179,7 +179,7 @@ TEST_CASE("the wheel of the examples rolls on no more than friction lets it",
 // Lame: two bodies of one material that are long, with free ends, E d (c^2 - b^2) / (2 b c^2).
 TEST_CASE("the bolt of the examples is pressed as by a long tube", "[scene_file][examples]") {
   const SolvedScene run = run_of("bolt_in_tube");
-  CHECK(run.solution.contact.active.size() == run.model.pairs.node.size());
+  CHECK(run.solution.contact.active().size() == run.model.pairs.node.size());
   Index middle = 0;
   run.model.pairs.position.col(1).cwiseAbs().minCoeff(&middle);
   const double long_bodies = 210e3 * 0.01 * (20 * 20 - 10 * 10) / (2 * 10 * 20 * 20);

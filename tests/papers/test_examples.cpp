@@ -86,7 +86,7 @@ TEST_CASE("the solution tends to Hertz's half-width and force", "[examples][clos
     const double h = 2.0 / static_cast<double>(n);
     CAPTURE(n);
     CHECK(std::abs(state.force.sum() / hertz.total_force - 1) < h * h);
-    CHECK(std::abs(h / 2 * static_cast<double>(state.active.size()) - hertz.half_width) <= h);
+    CHECK(std::abs(h / 2 * static_cast<double>(state.active().size()) - hertz.half_width) <= h);
     CHECK((state.force - hertz.force).cwiseAbs().maxCoeff() < h * hertz.force.maxCoeff());
   }
 }
@@ -97,7 +97,7 @@ TEST_CASE("a flat punch touches everywhere and carries the force 1", "[examples]
     const ContactState state = primal_dual_active_set(flat.problem);
     REQUIRE(state.report.status == SolveStatus::Solved);
     CAPTURE(n);
-    CHECK(static_cast<Index>(state.active.size()) == n);
+    CHECK(static_cast<Index>(state.active().size()) == n);
     CHECK(state.force.sum() == Approx(1).epsilon(1.0 / static_cast<double>(n)));
     const Index middle = n / 2;
     CHECK(state.force(middle) == Approx(flat.force(middle)).epsilon(1.0 / static_cast<double>(n)));

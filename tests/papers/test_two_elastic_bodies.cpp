@@ -56,7 +56,7 @@ TEST_CASE("on a crowned block the printed method closes the pairs that the defau
   REQUIRE(run.state.report.status == SolveStatus::Solved);
   REQUIRE(solution.contact.report.status == SolveStatus::Solved);
   CHECK(run.outer_steps == 1);
-  CHECK((run.state.active.size() > 1 && run.state.active.size() < 5));
-  CHECK(run.state.active == solution.contact.active);
+  CHECK((run.state.active().size() > 1 && run.state.active().size() < 5));
+  CHECK(run.state.active() == solution.contact.active());
   CHECK((run.state.force - solution.contact.force).norm() <= 1e-10 * run.state.force.norm());
 }

@@ -35,7 +35,6 @@ TEST_CASE("a pair that cannot rub bears no shear and has neither slip nor motion
   solution.contact.frictional_pairs = {0};
   solution.contact.friction.conservativeResize(1);
   solution.contact.slip.conservativeResize(1);
-  solution.contact.contact_status.resize(1);
   const std::vector<std::string> lines = lines_of(pressure_csv(three_gaps(), solution));
   CHECK(lines[2] == "0,1,0,20,10,closed,-10,-5,0.5,forward,2.5");
   CHECK(lines[3] == "2,0,0,3,3,closed,0,0,,,0");

@@ -120,7 +120,7 @@ TEST_CASE("Hertz: lengths and forces in units of 1e-6 to 1e6 change nothing", "[
       problem.force = force;
       CAPTURE(length, force);
       const SolvedScene run = solved(scene_of(problem), "Hertz");
-      CHECK(run.solution.contact.active == base.solution.contact.active);
+      CHECK(run.solution.contact.active() == base.solution.contact.active());
       CHECK(run.solution.contact.report.iterations == base.solution.contact.report.iterations);
       const double difference =
           (run.solution.contact.force / force - base.solution.contact.force).norm();

@@ -102,7 +102,7 @@ TEST_CASE("a spring along the slope carries what friction and cohesion do not",
   scene.bodies[0].springs = {{"left", {10, 0}}};
   const SolvedScene run = solved(scene, "the block");
   const ContactState& contact = run.solution.contact;
-  CHECK(contact.active.size() == static_cast<std::size_t>(contact.force.size()));
+  CHECK(contact.active().size() == static_cast<std::size_t>(contact.force.size()));
   for (const ContactStatus contact_status : contact.contact_status)
     CHECK(contact_status == ContactStatus::SlipBackward);
   const double resists = 3 * length - 0.2 * force.y();

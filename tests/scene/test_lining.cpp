@@ -84,7 +84,7 @@ TEST_CASE("pressure and displacement of the lining are the same all round", "[li
       lining.cells_angle *= times;
       lining.cells_radius *= times;
       const SolvedScene run = run_of(lining);
-      CHECK(run.solution.contact.active.size() ==
+      CHECK(run.solution.contact.active().size() ==
             static_cast<std::size_t>(run.solution.pressure.size()));
       CHECK(spread(run.solution.pressure) < 1e-9);
       CHECK(spread(rim(run)) < 1e-9);
@@ -159,10 +159,10 @@ TEST_CASE("72 MPa leave the gap of the lining open, 73 MPa close it", "[lining]"
     Lining lining;
     lining.element = element;
     lining.inside = 72;
-    CHECK(run_of(lining).solution.contact.active.empty());
+    CHECK(run_of(lining).solution.contact.active().empty());
     lining.inside = 73;
     const SolvedScene run = run_of(lining);
-    CHECK(run.solution.contact.active.size() ==
+    CHECK(run.solution.contact.active().size() ==
           static_cast<std::size_t>(run.solution.pressure.size()));
   }
 }

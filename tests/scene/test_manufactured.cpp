@@ -65,8 +65,7 @@ Errors errors_of(const char* element, Index n) {
     const double x = pairs.position(pair, 0);
     errors.pressure +=
         pairs.weight(pair) * std::pow(solution.pressure(pair) - exact_pressure(x), 2);
-    const bool closed =
-        std::binary_search(solution.contact.active.begin(), solution.contact.active.end(), pair);
+    const bool closed = solution.contact.contact_status[std::size_t(pair)] != ContactStatus::Open;
     if ((closed && x > edge + 3 * h) || (!closed && x < edge - 3 * h)) ++errors.wrong_pairs;
   }
   errors.pressure = std::sqrt(errors.pressure);

@@ -68,7 +68,7 @@ TEST_CASE("a block that hovers is solved, and that its height is open is said",
     const Solution solution = solve(scene);
     CAPTURE(solver);
     REQUIRE(solution.contact.report.status == SolveStatus::Solved);
-    CHECK(solution.contact.active.empty());
+    CHECK(solution.contact.active().empty());
     REQUIRE(solution.notes.size() == 2);
     CHECK_THAT(solution.notes[0], ContainsSubstring("do not determine"));
     CHECK_THAT(solution.notes[1], ContainsSubstring("no pair carries a force"));

@@ -65,7 +65,7 @@ TEST_CASE("a pin in a large incompressible disc is that of the closed form", "[p
     CAPTURE(shift);
     const ContactState state = disc.shifted(shift);
     const PinInPlate pin{1, 0.01, disc.force(state), disc.modulus(), disc.modulus()};
-    CHECK(disc.angle(state.active.front()) ==
+    CHECK(disc.angle(state.active().front()) ==
           Approx(pin_contact_angle(pin)).margin(1.5 * degree).epsilon(0));
     const Index pole = state.force.size() - 1;
     for (const Index k : {pole, pole - 5, pole - 10})
@@ -90,7 +90,7 @@ TEST_CASE("a pin in a large compressible disc is that of the integral equation",
     }
     const ContactState state = disc.shifted(low);
     const Index pole = state.force.size() - 1;
-    CHECK(disc.angle(state.active.front()) / degree ==
+    CHECK(disc.angle(state.active().front()) / degree ==
           Approx(expected.half_angle).margin(1.5).epsilon(0));
     CHECK(state.force(pole) / disc.run.model.pairs.weight(pole) / disc.force(state) ==
           Approx(expected.pressure).epsilon(0.002));

@@ -14,7 +14,7 @@ TEST_CASE("200 x 20 cells: contact begins at 42 cm and peaks at 11.5 kN/cm2", "[
   const Solution solution = solve(model, condensed, scene.solver, ledger);
   require_solved(solution, "the cantilever");
   const double h = 0.25;  // cell width [cm]
-  const double touchdown = model.pairs.position(solution.contact.active.front(), 0);
+  const double touchdown = model.pairs.position(solution.contact.active().front(), 0);
   CHECK(touchdown >= 42 - h);
   CHECK(touchdown <= 42 + h);
   CHECK(resultants(model, solution).peak_pressure == Approx(11.5).epsilon(0.02).margin(0));

@@ -50,7 +50,7 @@ Solved solved(const Floating& body, double ground = 1, double share = 1) {
   result.state = solve_with_proofs(result.problem, find_solver("primal_dual_active_set"));
   result.refined = refined(
       body.programme, [&](const VectorXd& f) { return VectorXd(factor.solve(f)); }, G,
-      {u0, {}, share * result.state.force}, result.state.active, body.modes);
+      {u0, {}, share * result.state.force}, result.state.active(), body.modes);
   return result;
 }
 

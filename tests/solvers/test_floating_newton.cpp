@@ -57,7 +57,7 @@ TEST_CASE("Hertz under a given force: at most 10 iterations, and the pressure of
       const double h = 2.0 / static_cast<double>(n);  // forces are right to the order of h
       CHECK(difference(state.force, exact.force) <= 2 * h);
       CHECK(state.force.sum() == Approx(exact.total_force).epsilon(1e-14));
-      for (const Index i : state.active) CHECK(std::abs(exact.position(i)) <= exact.half_width + h);
+      for (const Index i : state.active()) CHECK(std::abs(exact.position(i)) <= exact.half_width + h);
     }
 }
 

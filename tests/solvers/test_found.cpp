@@ -42,12 +42,12 @@ TEST_CASE("two equal rows are one pair for the exchange of sets", "[found][activ
   const ContactState state = primal_dual_active_set(problem);
   REQUIRE(state.report.status == SolveStatus::Solved);
   CHECK(state.report.iterations == 1);  // without a second method
-  CHECK(state.active.size() == 1);
+  CHECK(state.active().size() == 1);
   CHECK(state.force.sum() == Approx(1).epsilon(1e-15));
   // The deeper one of two equal rows is the one that closes.
   const ContactState deeper = primal_dual_active_set({problem.compliance, Vector2d(-1, -2)});
   REQUIRE(deeper.report.status == SolveStatus::Solved);
-  CHECK(deeper.active == std::vector<Index>{1});
+  CHECK(deeper.active() == std::vector<Index>{1});
   CHECK(deeper.gap(0) == Approx(1).epsilon(1e-15));
 }
 

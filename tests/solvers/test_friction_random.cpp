@@ -140,7 +140,7 @@ TEST_CASE("without the friction of the pair that is named, beyond its share, the
     const ContactState solution = solve_with_proofs(problem, friction_solvers().front());
     if (solution.report.status != SolveStatus::Solved || !solution.uniqueness_warning.pair)
       continue;
-    const std::vector<ContactStatus> statuses = all_statuses(solution);
+    const std::vector<ContactStatus> statuses = solution.contact_status;
     if (!solve_active_set(equilibrate(problem), statuses).reversed) continue;
     ++named;
     double& mu = problem.law.coefficient(*solution.uniqueness_warning.pair);

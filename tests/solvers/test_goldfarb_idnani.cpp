@@ -32,14 +32,14 @@ TEST_CASE("the pair that overlaps most may have to leave again", "[goldfarb_idna
   const ContactState given = goldfarb_idnani(whole_problem(fan()));
   const DenseSolution product = goldfarb_idnani(fan());
   CHECK((product.refined.force - given.force).norm() < 1e-15);
-  CHECK(product.active == given.active);
+  CHECK(product.active == given.active());
   CHECK(product.report.iterations == given.report.iterations);
   {
     const ContactState& state = given;
     REQUIRE(state.report.status == SolveStatus::Solved);
     CHECK((state.force - Vector3d(0, 0.703125, 0.703125)).norm() < 1e-15);
     CHECK((state.gap - Vector3d(0.125, 0, 0)).norm() < 1e-15);
-    CHECK(state.active == std::vector<Index>{1, 2});
+    CHECK(state.active() == std::vector<Index>{1, 2});
     CHECK(state.report.iterations == 4);  // the first, a second, the first leaves, the third
     REQUIRE(state.report.history.size() == 4);
     CHECK(state.report.history.back().changes == 0);

@@ -186,10 +186,10 @@ TEST_CASE("a pair that touches without force at the end of the path is not calle
   };
   const ContactState first = end(thirds, vector({0.3, 0, 0, 0.1}), vector({0, 0.2, 0, 0}));
   CHECK(first.report.status == SolveStatus::Solved);
-  CHECK(first.active == std::vector<Index>{0, 3});
+  CHECK(first.active() == std::vector<Index>{0, 3});
   const ContactState second = end(whole, vector({0, 0, 0.2, 0.1}), VectorXd::Zero(4));
   CHECK(second.report.status == SolveStatus::Solved);
-  CHECK(second.active == std::vector<Index>{2, 3});
+  CHECK(second.active() == std::vector<Index>{2, 3});
 }
 
 TEST_CASE("a limit on pivots is kept, and a bad covering vector refused", "[lemke]") {

@@ -34,6 +34,6 @@ TEST_CASE("a claim whose first set has no finite certificate ends as a breakdown
     CHECK(end.state.report.status == SolveStatus::Breakdown);
     CHECK(!end.certificate.holds());
     CHECK(end.state.gap.size() == 1);
-    CHECK(end.state.active == std::vector<Eigen::Index>{0});
+    CHECK(end.state.active() == std::vector<Eigen::Index>{0});
   }
 }

@@ -167,7 +167,7 @@ void Checked::look_at_friction(Index k) {
   const Index pair = model_.law.pair[at(k)];
   const Index row = given_.A.rows() - static_cast<Index>(model_.law.pair.size()) + k;
   const ContactState& told = solution_.contact;
-  const ContactStatus status = told.contact_status[at(k)];
+  const ContactStatus status = status_of_slip(told, k);
   const Wide slip = movement(row);
   const Wide normal = std::max<Wide>(solution_.refined.force(pair), 0);
   const Wide bound =
@@ -190,7 +190,7 @@ void Checked::look_at_rigid_motions() {
   std::vector<Wides> basis;
   for (Index row = 0; row < given_.A.rows(); ++row) {
     const bool sticks =
-        row >= gaps && solution_.contact.contact_status[at(row - gaps)] == ContactStatus::Stick;
+        row >= gaps && status_of_slip(solution_.contact, row - gaps) == ContactStatus::Stick;
     if (row < gaps ? !carries(row) : !sticks) continue;
     Wides moved;
     for (const FreeMotion& mode : model_.modes) {

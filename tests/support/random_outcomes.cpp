@@ -68,7 +68,7 @@ void fold(const Eigen::VectorXd& values, std::uint64_t& bits) {
 }
 
 void remember(const Solution& solution, Trial& trial) {
-  for (const ContactStatus contact_status : all_statuses(solution.contact))
+  for (const ContactStatus contact_status : solution.contact.contact_status)
     trial.statuses += "osfb"[static_cast<std::size_t>(contact_status)];
   trial.statuses += '.';
   fold(solution.refined.force, trial.bits);

@@ -249,7 +249,7 @@ std::vector<Index> movable_forces(const Model& model, const Solution& solution) 
   double length = 0;
   for (const BodyModel& body : model.bodies)
     length = std::max(length, body.mesh.nodes.cwiseAbs().maxCoeff());
-  const std::vector<ContactStatus> statuses = all_statuses(state);
+  const std::vector<ContactStatus> statuses = state.contact_status;
   std::vector<VectorXd> columns, changes;  // on unknowns; of all rows
   std::vector<VectorXd> bounds;            // gradients of those that are met
   const auto unit = [&](Index row) { return VectorXd::Unit(force.size(), row); };

@@ -38,7 +38,8 @@ inline signorini::Solution three_forces() {
   solution.contact.report.status = SolveStatus::Solved;
   solution.contact.force = Eigen::Vector3d(10, 3, 0);
   solution.contact.gap = Eigen::Vector3d(0, 0, 0.25);
-  solution.contact.active = {0, 1};
+  solution.contact.contact_status = {ContactStatus::Stick, ContactStatus::Stick,
+                                     ContactStatus::Open};
   solution.pressure = Eigen::Vector3d(20, 3, 0);
   return solution;
 }

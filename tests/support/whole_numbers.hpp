@@ -88,7 +88,7 @@ Eigen::Index changes_with_scale(Random& random, const Method& method) {
   const signorini::ContactState other = method(in_units(with_rows(problem, row), 1e3, force));
   REQUIRE(plain.report.status == signorini::SolveStatus::Solved);
   REQUIRE(other.report.status == signorini::SolveStatus::Solved);
-  CHECK(other.active == plain.active);
+  CHECK(other.active() == plain.active());
   const Eigen::VectorXd back = other.force.cwiseProduct(row) / force;
   CHECK((back - plain.force).norm() <= 1e-11 * plain.force.norm());
   return other.report.iterations - plain.report.iterations;

@@ -80,7 +80,7 @@ void by_hand(const Scene& scene) {
   const CertifiedSolution end = certified_solve(programme, small, {}, scene.solver, {}, ledger);
   // Of every solution it is asked whether its forces are determined.
   static_cast<void>(
-      undetermined_forces(carried(programme, end.solution, {}, all_statuses(end.state))));
+      undetermined_forces(carried(programme, end.solution, {}, end.state.contact_status)));
   print(end.state.force, expand(unknowns, end.solution.displacement));
 }
 

@@ -104,7 +104,7 @@ TEST_CASE("a VTU file holds the solution at the right nodes", "[vtu]") {
   const std::vector<std::string> gap = array_of(file, "contact_gap");
   const std::vector<std::string> status = array_of(file, "contact_status");
   REQUIRE(status.size() == gap.size());
-  const std::vector<Eigen::Index>& active = run.solution.contact.active;
+  const std::vector<Eigen::Index>& active = run.solution.contact.active();
   CHECK_FALSE(active.empty());
   CHECK(std::count(status.begin(), status.end(), "1") == static_cast<long>(active.size()));
   const std::vector<std::string> points = array_of(file, "points");
@@ -179,7 +179,7 @@ TEST_CASE("pairs at Gauss points belong to no node, and no node of a VTU file sa
   scene.bodies[1].loads.edges = {{"top", 1, {}}};
   scene.contacts[0].gap_operator = "gauss_points";
   const SolvedScene run = signorini::solved(scene, "blocks");
-  CHECK_FALSE(run.solution.contact.active.empty());
+  CHECK_FALSE(run.solution.contact.active().empty());
   const Folder folder;
   write_vtu(folder.path() / "blocks.vtu", run.model, run.solution, {}, VtuNumbers::Ascii);
   const std::string file = content_of(folder.path() / "blocks.vtu");

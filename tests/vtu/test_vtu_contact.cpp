@@ -98,10 +98,10 @@ TEST_CASE("the contact tractions of a VTU file bear the weight of a block on any
 
 TEST_CASE("a VTU file of a load step has the slip in total", "[vtu][steps]") {
   SolvedScene run = solved(signorini_test::cantilever("q4", 10, 2), "beam");
-  const Eigen::Index pair = run.solution.contact.active.front();
+  const Eigen::Index pair = run.solution.contact.active().front();
   const auto node = static_cast<std::size_t>(run.model.pairs.node[static_cast<std::size_t>(pair)]);
   run.solution.contact.frictional_pairs = {pair};
-  run.solution.contact.contact_status = {ContactStatus::SlipBackward};
+  run.solution.contact.contact_status[static_cast<std::size_t>(pair)] = ContactStatus::SlipBackward;
   run.solution.contact.friction = Eigen::VectorXd::Constant(1, 3);
   run.solution.contact.slip = Eigen::VectorXd::Constant(1, -0.5);
   PathState state;

@@ -56,7 +56,7 @@ Answer go_down(const Request& now) {
               sum.force.y());
 
   Answer answer;
-  const std::vector<Index>& closed = solution.contact.active;
+  const std::vector<Index>& closed = solution.contact.active();
   const double width = x(closed.back()) - x(closed.front());
   answer.says = text("The base touches along ", number(width, "%.1f"),
                      " mm, and the obstacle presses with ", number(sum.force.y(), "%.2f"), " N.");

@@ -59,7 +59,7 @@ Panel loop(const Way& way, std::size_t last) {
   VectorXd slip(Index(last) + 1), push(slip.size());
   for (Index k = 0; k < slip.size(); ++k) {
     const Step& then = way.steps[std::size_t(k)];
-    const std::vector<Index>& closed = then.solution.contact.active;
+    const std::vector<Index>& closed = then.solution.contact.active();
     slip(k) = 1e6 * weight(closed).dot(then.state.slip(closed)) / weight(closed).sum();
     push(k) = way.known.push().at(then.state.time) / slip_limit(way.known.slip);
   }

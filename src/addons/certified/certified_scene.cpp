@@ -59,7 +59,7 @@ void note_open_motions(const Model& model, const CertifiedSolution& end, const K
   const VectorXd nothing = no_forces(model, end.solution, known);
   const Index pairs = end.state.force.size();
   std::vector<Index> holding;
-  for (const Index row : active_set(all_statuses(end.state), model.law).closed) {
+  for (const Index row : active_set(end.state.contact_status, model.law).closed) {
     const Index gap = row < pairs ? row : model.law.pair[at(row - pairs)];
     if (end.solution.force(gap) > nothing(gap)) holding.push_back(row);
   }

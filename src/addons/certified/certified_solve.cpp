@@ -65,14 +65,14 @@ bool CertifiedSolve::settle(const ContactState& claim) {
   const Ledger::Phase phase(sets_.ledger, "refinement");
   const VectorXd force = all_forces(claim);
   if (data_.null_vectors.cols() == 0 || claim.report.status != SolveStatus::Solved)
-    return exchange(all_statuses(claim), force);
+    return exchange(claim.contact_status, force);
   // A motion that the closed pairs leave open must begin where the claim has it.
   const bool moves = largest(data_.null_vectors * claim.amplitude) >= smallest_movement;
   const VectorXd amplitude = moves ? claim.amplitude : VectorXd::Zero(data_.null_vectors.cols());
   add_rigid(sets_.here.now, data_.null_vectors, amplitude - sets_.here.amplitude);
   sets_.here.amplitude = amplitude;
   const RefinedSets::Place start = sets_.here;
-  const bool settled = exchange(all_statuses(claim), force);
+  const bool settled = exchange(claim.contact_status, force);
   // Of a claim without any force the closed pairs only touch: where closing them exactly takes forces, which
   // are nothing but rounding, none is closed.
   const std::vector<ContactStatus> open = statuses_of({}, data_.condensed.free_gap.size());

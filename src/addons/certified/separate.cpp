@@ -88,10 +88,9 @@ void Separate::put_into(CertifiedSolution& all, CertifiedSolution part, Index un
   put(now.slip, slips, n_slips, state.slip);
   put(now.amplitude, parts.modes, modes, state.amplitude);
   put(now.unbounded_direction, parts.modes, modes, state.unbounded_direction);
-  for (const Index pair : now.active) state.active.push_back(gaps[at(pair)]);
-  state.contact_status.resize(at(n_slips), ContactStatus::Open);
+  state.contact_status.resize(at(pairs()), ContactStatus::Open);
   for (std::size_t k = 0; k < now.contact_status.size(); ++k)
-    state.contact_status[at(slips[k])] = now.contact_status[k];
+    state.contact_status[at(gaps[k])] = now.contact_status[k];
   if (now.uniqueness == Uniqueness::Doubtful && state.uniqueness != Uniqueness::Doubtful) {
     state.uniqueness_warning = now.uniqueness_warning;
     if (auto& pair = state.uniqueness_warning.pair; pair) pair = gaps[at(*pair)];
@@ -134,7 +133,6 @@ CertifiedSolution separate_solutions(const QuadraticProgramme& programme,
     none.state.unbounded_direction = std::move(state.unbounded_direction);
     return none;
   }
-  std::sort(state.active.begin(), state.active.end());
   state.frictional_pairs = condensed.problem.law.pair;
   whole.certificate = certify(programme, whole.solution, condensed.problem.law);
   return whole;

@@ -27,7 +27,7 @@ Solver strengthened(const Solver& solver, const ContactProblem& problem) {
 /// The determinant of the set decides for held bodies without cohesion only; what a warning rests on it tells for all.
 void prove_uniqueness(ScaledProblem& scaled, ContactState& state) {
   if (!scaled.symmetric) return;
-  const std::vector<ContactStatus> statuses = all_statuses(state);
+  const std::vector<ContactStatus> statuses = state.contact_status;
   ActiveSetSolution solution;
   solution.force = all_forces(state).cwiseQuotient(scaled.scale);
   solution.movement = all_movements(state).cwiseProduct(scaled.scale);

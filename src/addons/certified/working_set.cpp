@@ -74,7 +74,7 @@ WorkingSet::WorkingSet(const Model& of, const CondensedProgramme& condensed,
 
 /// What gaps are known to, as in check_signs().
 VectorXd WorkingSet::rounding(const CertifiedSolution& end) const {
-  return 2 * static_cast<double>(end.state.active.size() + 1) * movement_rounding(model.programme, end.solution);
+  return 2 * static_cast<double>(end.state.active().size() + 1) * movement_rounding(model.programme, end.solution);
 }
 
 /// The pairs outside that overlap, or may by rounding.
@@ -140,7 +140,7 @@ CertifiedSolution WorkingSet::solved(const Solver& solver, const SolverOptions& 
 /// Makes the end of the set a claim for all pairs: the others are open, without a force. Where they overlap the next round
 /// begins with them closed.
 void WorkingSet::widen(CertifiedSolution& end) {
-  const Statuses own = all_statuses(end.state);
+  const Statuses own = end.state.contact_status;
   statuses.assign(in.size(), ContactStatus::Open);
   for (std::size_t k = 0; k < own.size(); ++k) statuses[at(pairs[k])] = own[k];
   VectorXd force = VectorXd::Zero(model.programme.A.rows());

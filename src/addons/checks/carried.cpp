@@ -42,7 +42,7 @@ Carried carried(const ContactProblem& problem, const ContactState& state) {
           force,
           all_movements(state),
           static_cast<double>(rows + modes + 1) * epsilon * size,
-          all_statuses(state)};
+          state.contact_status};
 }
 
 }  // namespace signorini

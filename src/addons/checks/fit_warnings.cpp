@@ -98,7 +98,7 @@ std::vector<std::string> closed_gap_warnings(const Model& model, const Solution&
   for (const BodyModel& body : model.bodies) sizes.push_back(size_of(body.mesh));
   double farthest = 1;
   Index most = -1;
-  for (const Index pair : solution.contact.active) {
+  for (const Index pair : solution.contact.active()) {
     if (solution.contact.force(pair) <= 0) continue;
     const double times = model.pairs.initial_gap(pair) / sizes[smallest(model, sizes, pair)];
     if (times <= farthest) continue;

@@ -33,7 +33,7 @@ void open_far(const VectorXd& opens, const VectorXd& displacement, VectorXd& gap
 
 /// What the pairs did, and fresh ones open.
 std::vector<ContactStatus> start_of(const ContactState& contact, Index pairs) {
-  std::vector<ContactStatus> start = all_statuses(contact);
+  std::vector<ContactStatus> start = contact.contact_status;
   start.resize(static_cast<std::size_t>(pairs), ContactStatus::Open);
   return start;
 }
@@ -63,7 +63,7 @@ std::optional<CertifiedSolution> solved_by_few(Model model, Condensed condensed,
   model.programme.initial_gap += free_gap - condensed.problem.free_gap;
   condensed.problem.free_gap = free_gap;
   SolverOptions options;
-  options.start = all_statuses(contact);
+  options.start = contact.contact_status;
   Ledger unseen;
   return working_set_solution(model, condensed, primal_dual_active_set(), options, unseen);
 }

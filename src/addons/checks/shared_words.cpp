@@ -129,7 +129,7 @@ std::string shared_forces_in_words(const Model& model, const Solution& solution,
 
 void note_shared_forces(const Model& model, const Condensed& /*condensed*/, Solution& solution) {
   const PrimalDual& refined = solution.refined;
-  Carried all = carried(model.programme, refined, model.law, all_statuses(solution.contact));
+  Carried all = carried(model.programme, refined, model.law, solution.contact.contact_status);
   // Gaps and slips are rounded as the positions that they were made of.
   all.rounding.array() += gap_rounding(model.pairs);
   solution.shared = undetermined_forces(all);

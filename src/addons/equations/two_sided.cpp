@@ -143,8 +143,7 @@ void Turned::turn_back(Solution& solution) const {
   for (VectorXd* numbers : {&state.friction, &state.slip})
     *numbers = numbers->cwiseProduct(of_slips);
   for (std::size_t k = 0; k < state.contact_status.size(); ++k)
-    if (of_slips(static_cast<Index>(k)) < 0)
-      state.contact_status[k] = turned(state.contact_status[k]);
+    if (sign_(static_cast<Index>(k)) < 0) state.contact_status[k] = turned(state.contact_status[k]);
   if (solution.refined.force.size() == sign_.size())
     solution.refined.force = solution.refined.force.cwiseProduct(sign_);
 }

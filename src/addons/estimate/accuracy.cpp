@@ -217,7 +217,7 @@ class Loop {
   }
 
   [[nodiscard]] bool nothing_closes() const {
-    return !run_.scene.contacts.empty() && run_.solution.contact.active.empty();
+    return !run_.scene.contacts.empty() && run_.solution.contact.active().empty();
   }
 
   /// Whether the last mesh is so much finer than one that was estimated that what both overlook would show.

@@ -12,7 +12,7 @@ std::vector<ContactEnd> contact_ends(const std::vector<ContactEdge>& edges,
                                      const Solution& solution, const Dual& dual) {
   const ContactState& contact = solution.contact;
   const auto closed = [&](Index pair) {
-    return std::binary_search(contact.active.begin(), contact.active.end(), pair);
+    return contact.contact_status[static_cast<std::size_t>(pair)] != ContactStatus::Open;
   };
   std::vector<ContactEnd> ends;
   for (const ContactEdge& edge : edges) {

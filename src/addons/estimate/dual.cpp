@@ -16,7 +16,7 @@ ActiveSet set_of(const Solution& solution, const ScaledProblem& scaled) {
   const ContactState& contact = solution.contact;
   require_input(contact.report.status == SolveStatus::Solved,
                 "estimate: the problem is not solved: ", to_string(contact.report.status));
-  return active_set(all_statuses(contact), scaled.law);
+  return active_set(contact.contact_status, scaled.law);
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ using Eigen::Index;
 std::string held_end(const AccurateSolution& run) {
   std::vector<std::vector<char>> presses;  // of the nodes of each body
   for (const BodyModel& body : run.model.bodies) presses.emplace_back(at(body.mesh.n_nodes()), 0);
-  for (const Index pair : run.solution.contact.active)
+  for (const Index pair : run.solution.contact.active())
     presses[source_index(run.model, pair)][at(run.model.pairs.node[at(pair)])] = 1;
   for (const ContactSpec& contact : run.scene.contacts) {
     const std::size_t b = body_index(run.model.bodies, contact.source);

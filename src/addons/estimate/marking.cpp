@@ -40,7 +40,7 @@ std::vector<PairSide> pair_sides(const Model& model, const std::vector<MarkedEdg
 
 std::vector<char> closed_pairs(const Model& model, const Solution& solution) {
   std::vector<char> closed(at(model.pairs.weight.size()), 0);
-  for (const Index pair : solution.contact.active) closed[at(pair)] = 1;
+  for (const Index pair : solution.contact.active()) closed[at(pair)] = 1;
   return closed;
 }
 
@@ -262,7 +262,7 @@ std::vector<MarkedEdges> marks_where_coarse(const Model& model, const Solution& 
   bool any = false;
   for (std::size_t b = 0; b < marks.size(); ++b) any = mark_thin(model.bodies[b], marks[b]) || any;
   std::vector<std::size_t> count(model.contacts.size(), 0);
-  for (const Index pair : solution.contact.active) ++count[model.contact_of[at(pair)]];
+  for (const Index pair : solution.contact.active()) ++count[model.contact_of[at(pair)]];
   const std::vector<char> closed = closed_pairs(model, solution);
   const std::vector<Index>& node = model.pairs.node;
   const bool nodal = std::none_of(node.begin(), node.end(), [](Index n) { return n < 0; });

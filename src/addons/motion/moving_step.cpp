@@ -114,10 +114,10 @@ bool Moving::goes_to(const Solution& solution) {
 void read_movements(const VectorXd& movement, ContactState& contact) {
   const Index pairs = contact.gap.size();
   VectorXd gap = movement.head(pairs);
-  for (const Index pair : contact.active) gap(pair) = contact.gap(pair);
+  for (const Index pair : contact.active()) gap(pair) = contact.gap(pair);
   contact.gap = std::move(gap);
   for (Index k = 0; k < contact.slip.size(); ++k)
-    if (contact.contact_status[static_cast<std::size_t>(k)] != ContactStatus::Stick)
+    if (status_of_slip(contact, k) != ContactStatus::Stick)
       contact.slip(k) = movement(pairs + k);
 }
 
@@ -172,11 +172,11 @@ bool Moving::ends(Solution& solution) {
     ledger = std::move(solution.ledger);
     if (solution.contact.report.status != SolveStatus::Solved) return false;
     if (!goes_to(solution)) {
-      held = held_rows(all_statuses(solution.contact), model.law);
+      held = held_rows(solution.contact.contact_status, model.law);
       break;
     }
     if (holds_here(solution, names, frictional)) return true;
-    hand_on(names, all_statuses(solution.contact));
+    hand_on(names, solution.contact.contact_status);
   }
   solution.contact.report.status = SolveStatus::IterationLimit;
   solution.contact.reason = why_not_ended(reason, why_indefinite(model, held, rung));

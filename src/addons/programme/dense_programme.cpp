@@ -68,8 +68,8 @@ DenseSolution claimed(const DenseCondensed& condensed, const ProgrammeRows& data
                       ContactState state) {
   DenseSolution solution;
   solution.report = std::move(state.report);
-  for (Index& row : state.active) row += data.equations();
-  solution.active = std::move(state.active);
+  solution.active = state.active();
+  for (Index& row : solution.active) row += data.equations();
   solution.gap = of_all_rows(state.gap, data.count());
   VectorXd pushed = condensed.half * state.force;
   solve_lower_transposed(condensed.factor.lower(), pushed);

@@ -90,7 +90,7 @@ FloatingSolution solve(const DenseProgramme& programme, const MatrixXd& null_vec
   FloatingSolution solution;
   DenseSolution& dense = solution.dense;
   dense.report = std::move(end.state.report);
-  dense.active = std::move(end.state.active);
+  dense.active = end.state.active();
   dense.gap = std::move(end.state.gap);
   dense.farkas_certificate = std::move(end.state.farkas_certificate);
   dense.certificate = end.certificate;

@@ -79,7 +79,7 @@ PathState after(const PathState& past, double time, const Model& model, const Ve
   PathState state = past;
   ++state.steps;
   state.time = time;
-  state.contact_status = all_statuses(contact);
+  state.contact_status = contact.contact_status;
   state.solution = solution.refined;
   state.increment = increment(contact);
   const VectorXd lost = dissipated(contact);

@@ -91,14 +91,6 @@ void impose(const ActiveSet& set, VectorXd& force, VectorXd& low) {
   }
 }
 
-// A state keeps statuses of frictional pairs only.
-std::vector<ContactStatus> all_statuses(const ContactState& state) {
-  std::vector<ContactStatus> statuses = statuses_of(state.active, state.force.size());
-  for (std::size_t k = 0; k < state.contact_status.size(); ++k)
-    statuses[at(state.frictional_pairs[k])] = state.contact_status[k];
-  return statuses;
-}
-
 // All rows stand in one vector where equations treat gaps and slips alike.
 VectorXd all_forces(const ContactState& state) {
   return (VectorXd(state.force.size() + state.friction.size()) << state.force, state.friction)

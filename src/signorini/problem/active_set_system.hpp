@@ -64,19 +64,11 @@ void impose(const ActiveSet& set, Eigen::VectorXd& force, Eigen::VectorXd& low);
 [[nodiscard]] std::vector<ContactStatus> statuses_of(const std::vector<Eigen::Index>& active,
                                                      Eigen::Index pairs);
 
-/// \param state  what a solver says
-/// \return `n_c` statuses
-[[nodiscard]] std::vector<ContactStatus> all_statuses(const ContactState& state);
-
 /// \param state  what a solver says \return forces of gaps, then friction forces `n_c + n_s` [force]
 [[nodiscard]] Eigen::VectorXd all_forces(const ContactState& state);
 
 /// \param state  what a solver says \return gaps, then slips `n_c + n_s` [length]
 [[nodiscard]] Eigen::VectorXd all_movements(const ContactState& state);
-
-/// \param statuses  `n_c`
-/// \return the pairs that are not open, in increasing order
-[[nodiscard]] std::vector<Eigen::Index> closed_pairs(const std::vector<ContactStatus>& statuses);
 
 /// The system of a known set, factored once:
 ///

@@ -26,13 +26,14 @@ using Eigen::Index, Eigen::VectorXd;
 // tells it. Where there is friction the force has the last word: its slip may be rounding, with the
 // wrong sign.
 void name_slides(const FrictionLaw& law, ContactState& state) {
-  for (std::size_t k = 0; k < state.contact_status.size(); ++k) {
-    const Index row = static_cast<Index>(k);
+  for (Index row = 0; row < state.slip.size(); ++row) {
+    const Index pair = law.pair[at(row)];
     const double slip = state.slip(row);
-    const double pressed = std::max(state.force(law.pair[k]), 0.0);
+    const double pressed = std::max(state.force(pair), 0.0);
     const bool frictional = law.coefficient(row) * pressed + law.cohesion(row) > 0;
-    if (friction_sign(state.contact_status[k]) != 0 && slip != 0 && !frictional)
-      state.contact_status[k] = slip > 0 ? ContactStatus::SlipForward : ContactStatus::SlipBackward;
+    ContactStatus& status = state.contact_status[at(pair)];
+    if (friction_sign(status) != 0 && slip != 0 && !frictional)
+      status = slip > 0 ? ContactStatus::SlipForward : ContactStatus::SlipBackward;
   }
 }
 
@@ -49,10 +50,8 @@ void fill_state(const FrictionLaw& law, const std::vector<ContactStatus>& status
   state.friction = force.tail(slips);
   state.gap = movement.head(pairs);
   state.slip = movement.tail(slips);
-  state.active = closed_pairs(statuses);
+  state.contact_status = statuses;
   state.frictional_pairs = law.pair;
-  state.contact_status.clear();
-  for (const Index pair : law.pair) state.contact_status.push_back(statuses[at(pair)]);
   name_slides(law, state);
 }
 

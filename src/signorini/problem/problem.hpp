@@ -79,6 +79,10 @@ enum class ContactStatus : signed char {
                                                          : 0;
 }
 
+/// \param statuses  of pairs
+/// \return the closed ones, in increasing order
+[[nodiscard]] std::vector<Eigen::Index> closed_pairs(const std::vector<ContactStatus>& statuses);
+
 /// How a solver ended. Nothing but `Solved` may be called a solution.
 enum class SolveStatus {
   Solved,          ///< all conditions hold to rounding
@@ -143,15 +147,14 @@ struct ActiveSetSystem;
 /// Forces, gaps and status of all pairs. Unless `report.status` is Solved, these are the last ones
 /// that the method looked at and no solution.
 struct ContactState {
-  Eigen::VectorXd force;                            ///< lambda `n_c` [force], compression > 0
-  Eigen::VectorXd gap;                              ///< `n_c` [length], open > 0
-  std::vector<Eigen::Index> active;                 ///< closed pairs, in increasing order
-  Report report;                                    ///< how the solver got there
-  std::vector<Eigen::Index> frictional_pairs = {};  ///< `n_s` pairs that the next three belong to
-  Eigen::VectorXd friction = {};  ///< tau `n_s` [force], on the source along the tangent
-  Eigen::VectorXd slip = {};      ///< `n_s` [length], of the source along the tangent
-  std::vector<ContactStatus> contact_status = {};  ///< `n_s` what these pairs do
-  Eigen::VectorXd amplitude = {};                  ///< a `n_r`
+  Eigen::VectorXd force;                      ///< lambda `n_c` [force], compression > 0
+  Eigen::VectorXd gap;                        ///< `n_c` [length], open > 0
+  std::vector<ContactStatus> contact_status;  ///< `n_c` what the pairs do; without friction a closed one sticks
+  Report report;                              ///< how the solver got there
+  std::vector<Eigen::Index> frictional_pairs = {};  ///< `n_s` pairs that the next two belong to
+  Eigen::VectorXd friction = {};   ///< tau `n_s` [force], on the source along the tangent
+  Eigen::VectorXd slip = {};       ///< `n_s` [length], of the source along the tangent
+  Eigen::VectorXd amplitude = {};  ///< a `n_r`
   Uniqueness uniqueness = Uniqueness::Unknown;     ///< of a solution with friction
   UniquenessWarning uniqueness_warning = {};       ///< what `Doubtful` rests on
   std::string reason = {};  ///< what stopped the solver, in words; may be empty
@@ -162,7 +165,18 @@ struct ContactState {
   Eigen::VectorXd unbounded_direction = {};
   /// The equations of the last set, factored, for who refines it; null if the method has no such set
   std::shared_ptr<const ActiveSetSystem> system = {};
+
+  /// \return closed pairs, in increasing order
+  [[nodiscard]] std::vector<Eigen::Index> active() const { return closed_pairs(contact_status); }
 };
+
+/// \param contact  any
+/// \param slip     of a frictional pair, by its number among them
+/// \return what that pair does
+[[nodiscard]] inline ContactStatus status_of_slip(const ContactState& contact, Eigen::Index slip) {
+  const Eigen::Index pair = contact.frictional_pairs[static_cast<std::size_t>(slip)];
+  return contact.contact_status[static_cast<std::size_t>(pair)];
+}
 
 struct ScaledProblem;
 

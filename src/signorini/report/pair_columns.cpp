@@ -61,7 +61,7 @@ void add_friction(const Model& model, const Solution& solution,
   const ContactState& contact = solution.contact;
   VectorXd contact_status(contact.friction.size());
   for (Index k = 0; k < contact_status.size(); ++k)
-    contact_status(k) = static_cast<double>(contact.contact_status[static_cast<std::size_t>(k)]);
+    contact_status(k) = static_cast<double>(status_of_slip(contact, k));
   std::vector<std::string> statuses;
   for (const ContactStatus word : {ContactStatus::Open, ContactStatus::Stick,
                                    ContactStatus::SlipForward, ContactStatus::SlipBackward})
@@ -93,7 +93,7 @@ void check_solved(const Solution& solution, const std::optional<PathTotals>& tot
   require_argument(contact.report.status == SolveStatus::Solved, function,
                    ": the problem was not solved (", to_string(contact.report.status), ')');
   const std::size_t n_slips = contact.frictional_pairs.size();
-  require_argument(contact.contact_status.size() == n_slips &&
+  require_argument(contact.contact_status.size() == static_cast<std::size_t>(contact.force.size()) &&
                        contact.friction.size() == static_cast<Index>(n_slips) &&
                        contact.slip.size() == static_cast<Index>(n_slips),
                    function, ": expected friction, slip and motion of ", n_slips, " pairs, got ",
@@ -136,7 +136,7 @@ std::vector<PairColumn> pair_columns(const Model& model, const Solution& solutio
   const ContactState& contact = solution.contact;
   const Index n_pairs = contact.force.size();
   VectorXd closed = VectorXd::Zero(n_pairs);
-  for (const Index pair : contact.active) closed(pair) = 1;
+  for (const Index pair : contact.active()) closed(pair) = 1;
   std::vector<PairColumn> columns;
   columns.push_back({"x", "length", "", model.pairs.position.col(0)});
   columns.push_back({"y", "length", "", model.pairs.position.col(1)});

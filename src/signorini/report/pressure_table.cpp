@@ -63,7 +63,7 @@ void add_pairs(const Model& model, const Solution& solution,
   const Eigen::VectorXd lost = dissipated(contact);
   for (Index k = 0; k < lost.size(); ++k) {
     const Index pair = contact.frictional_pairs[static_cast<std::size_t>(k)];
-    const ContactStatus contact_status = contact.contact_status[static_cast<std::size_t>(k)];
+    const ContactStatus contact_status = status_of_slip(contact, k);
     Resultants& sum = sum_of(pair);
     add_force(pairs, pair, 1, contact.friction(k), axial, sum);
     sum.shear_force += contact.friction(k);
@@ -73,7 +73,7 @@ void add_pairs(const Model& model, const Solution& solution,
     sum.stick += contact_status == ContactStatus::Stick ? 1 : 0;
     sum.slide += friction_sign(contact_status) != 0 ? 1 : 0;
   }
-  for (const Index pair : contact.active) {
+  for (const Index pair : contact.active()) {
     sum_of(pair).closed_weight += pairs.weight(pair);
     ++sum_of(pair).closed;
   }

@@ -16,7 +16,7 @@ namespace signorini {
 Eigen::VectorXd increment(const ContactState& contact) {
   Eigen::VectorXd slip = contact.slip;
   for (Eigen::Index k = 0; k < slip.size(); ++k)
-    if (contact.contact_status[static_cast<std::size_t>(k)] == ContactStatus::Stick) slip(k) = 0;
+    if (status_of_slip(contact, k) == ContactStatus::Stick) slip(k) = 0;
   return slip;
 }
 

@@ -49,7 +49,7 @@ VectorXd first_touch(const ScaledProblem& problem) {
 
 // Closed pairs, the largest force first. If rows repeat each other, those that carry most are kept.
 std::vector<Index> by_force(const ContactState& state) {
-  std::vector<Index> pairs = state.active;
+  std::vector<Index> pairs = state.active();
   std::stable_sort(pairs.begin(), pairs.end(),
                    [&](Index i, Index j) { return state.force(i) > state.force(j); });
   return pairs;
@@ -108,7 +108,7 @@ ContactState augmented_lagrangian(const ContactProblem& problem, const HeldSolve
   last.movement = now.gap;
   VectorXd proof;
   if (now.farkas_certificate.size() > 0) proof = scaled.scale.cwiseProduct(now.farkas_certificate);
-  return finished(problem, scaled, last, statuses_of(now.active, pairs), std::move(report),
+  return finished(problem, scaled, last, statuses_of(now.active(), pairs), std::move(report),
                   std::move(proof));
 }
 

@@ -42,7 +42,7 @@ constexpr int most_changes = 3;
 void refine(const RefinementData& data, const VectorXd& free_displacement, Ledger& ledger,
             RefinedEnd& end) {
   const Ledger::Phase phase(ledger, "refinement");
-  std::vector<ContactStatus> statuses = all_statuses(end.state);
+  std::vector<ContactStatus> statuses = end.state.contact_status;
   VectorXd force = all_forces(end.state);
   RefinedSets sets{data,
                    ledger,

@@ -27,7 +27,7 @@ TEST_CASE("ex1.4 the answers fit a finer mesh", "[ex1.4]") {
   const double force = finer.solution.contact.force.sum();
   const double peak = finer.solution.pressure.maxCoeff();
   const double half_width =
-      0.5 * static_cast<double>(finer.solution.contact.active.size());  // of 1 mm
+      0.5 * static_cast<double>(finer.solution.contact.active().size());  // of 1 mm
   CAPTURE(mine.total_force);
   const bool force_is_of_the_whole_base =
       0.95 * force < mine.total_force && mine.total_force < 1.05 * force;

@@ -14,7 +14,7 @@ TEST_CASE("ex4.3 two pairs that both close bear 2 and 1", "[ex4.3]") {
   const ContactState state = ex4_3::my_solver().solve({G, Eigen::Vector2d(-5, -4)}, {});
   REQUIRE(std::string(to_string(state.report.status)) == "solved");
   CHECK(equal_within(state.force, Eigen::Vector2d(2, 1), 1e-14));
-  CHECK(state.active == std::vector<Eigen::Index>{0, 1});
+  CHECK(state.active() == std::vector<Eigen::Index>{0, 1});
 }
 
 TEST_CASE("ex4.3 three pairs that make whole groups run in circles", "[ex4.3]") {

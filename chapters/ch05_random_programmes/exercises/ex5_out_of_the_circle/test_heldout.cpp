@@ -58,7 +58,7 @@ TEST_CASE("ex5.5 held out: it ends, at the solution", "[ex5.5]") {
     const std::vector<Rows> sets = closed_pairs(problem, 2000);
     CAPTURE(sample);
     REQUIRE(sets.size() < 2000);
-    CHECK(sets.back() == signorini::enumerate(problem).active);
+    CHECK(sets.back() == signorini::enumerate(problem).active());
     bool came_back = false;  // from then on pairs change one at a time
     for (std::size_t k = 0; k + 1 < sets.size(); ++k) {
       came_back =

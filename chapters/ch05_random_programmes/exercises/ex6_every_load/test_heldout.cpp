@@ -74,6 +74,6 @@ TEST_CASE("ex5.6 held out: a punch that is pressed in", "[ex5.6]") {
     last = std::abs(x(event.pair));
   }
   const signorini::ContactState end = signorini::primal_dual_active_set(at(body, 0.3));
-  CHECK(path.events.size() == end.active.size());
+  CHECK(path.events.size() == end.active().size());
   CHECK(equal_within(path.force, end.force, 1e-10));
 }

@@ -15,7 +15,7 @@ TEST_CASE("ex6.3 held out: the values are those of the scene", "[ex6.3]") {
   Eigen::Index peak = 0;
   CHECK(std::abs(mine.peak - beam.solution.pressure.maxCoeff(&peak)) < 0.01);
   CHECK(std::abs(mine.peak_at - x(peak)) < 1e-3);
-  CHECK(std::abs(mine.first_closed - x(beam.solution.contact.active.front())) < 1e-3);
+  CHECK(std::abs(mine.first_closed - x(beam.solution.contact.active().front())) < 1e-3);
   CHECK(std::abs(mine.force - force.sum()) < 0.01);
   CHECK(std::abs(mine.place - force.dot(x) / force.sum()) < 0.01);
   const double load = ch06::paper.pressure * ch06::paper.length * ch06::paper.width;

@@ -17,7 +17,7 @@ static ContactProblem in_units(const ContactProblem& problem, double length, dou
 TEST_CASE("ex6.4 the beam in five pairs of units", "[ex6.4]") {
   const signorini::SolvedScene beam = ch06::solve_cantilever(ch06::paper, "q4_incompatible", 50);
   const ContactProblem& problem = beam.condensed.problem;
-  REQUIRE(beam.solution.contact.active.size() == 9);
+  REQUIRE(beam.solution.contact.active().size() == 9);
   const auto [length, force, units] = GENERATE(table<double, double, const char*>({
       {1, 1, "cm, kN"},
       {10, 1e3, "mm, N"},
@@ -26,7 +26,7 @@ TEST_CASE("ex6.4 the beam in five pairs of units", "[ex6.4]") {
       {1e7, 1e6, "nm, mN"},
   }));
   CAPTURE(units);
-  CHECK(closed_nodes(in_units(problem, length, force)) == beam.solution.contact.active);
+  CHECK(closed_nodes(in_units(problem, length, force)) == beam.solution.contact.active());
 }
 
 // Six pairs press and six just touch: their gaps and forces are nothing but rounding.

@@ -37,7 +37,7 @@ TEST_CASE("ex6.4 held out: random problems in random units", "[ex6.4]") {
     for (double& entry : B.reshaped()) entry = random.uniform(0, 1);
     for (double& entry : d) entry = random.uniform(-1, 0.5);
     const ContactProblem problem{B * B.transpose() + MatrixXd::Identity(n, n), d};
-    const Rows expected = signorini::enumerate(problem).active;
+    const Rows expected = signorini::enumerate(problem).active();
     const double length = std::pow(10, random.uniform(-12, 12));
     const double force = std::pow(10, random.uniform(-12, 12));
     CAPTURE(sample, length, force);

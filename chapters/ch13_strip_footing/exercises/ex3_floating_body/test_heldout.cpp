@@ -36,7 +36,7 @@ Solved footing() {
   const VectorXd u = refined.displacement;
   return {{MatrixXd(programme.stiffness), run.model.modes[0].shape, programme.load,
            MatrixXd(programme.A), programme.initial_gap},
-          run.solution.contact.active,
+          run.solution.contact.active(),
           refined.force,
           u};
 }

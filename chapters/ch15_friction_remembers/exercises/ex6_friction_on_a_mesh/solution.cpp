@@ -22,7 +22,7 @@ std::vector<Pair> pairs_of(const signorini::SolvedScene& run) {
     Pair& pair = pairs[static_cast<std::size_t>(number)];
     pair.friction = state.friction(slip);
     pair.slip = state.slip(slip);
-    if (std::binary_search(state.active.begin(), state.active.end(), number))
+    if (state.contact_status[static_cast<std::size_t>(number)] != signorini::ContactStatus::Open)
       pair.bound = law.coefficient(slip) * pair.force + law.cohesion(slip);
   }
   std::stable_sort(pairs.begin(), pairs.end(),
