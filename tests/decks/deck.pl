@@ -4,13 +4,14 @@
 # deck.pl PROGRAM DECKS FOLDER --check: no scene, mesh or row of that table is without its deck.
 #
 # A row of DECKS/references is `quantity | reference | where the reference stands`, with a fourth part if it has a tolerance of its own, or `differs: why`.
-# A quantity is `WHAT of WHOM`, and behind that, where it has a meaning, ` at PLACE`, ` time T`, ` over W`, by which ours is divided, and ` grown SOURCE`: a stress on the area
-# that the side of this source has after loading makes the force that is compared, so ours is multiplied by that area over the area before. WHAT is:
+# A quantity is `WHAT of WHOM`, and behind that, where it has a meaning, ` at PLACE`, ` time T`, ` over W`, by which ours is divided, and ` grown BODY x,y x,y`: a stress on the area
+# that the straight side between these two nodes has after loading makes the force that is compared, so ours is multiplied by that area over the area before. WHAT is:
 #   u_x u_y of BODY at x,y                     displacement of the node that was there before loading; ` turned A`: in a scene that is turned back by A degrees
 #   s_xx s_yy s_xy of BODY at x,y              stress there
 #   R_x R_y of BODY                            what its supports bear
 #   F_x F_y peak normal_force closed of SOURCE sums of the contact of that source
 #   pressure force gap slip slip_total shear_force shear_traction of SOURCE at x or x,y    a column of the nearest pair, where it stands now
+#   least_pressure largest_pressure of SOURCE  of a tie
 #   pressing of SOURCE                         how many of its pairs press
 #   rms of BODY                                root of the mean square of all components of displacement of its nodes
 use strict;
@@ -120,18 +121,16 @@ sub of_pair {    # a column of the nearest pair of a source
     return $pairs->{$column}[$nearest];
 }
 
-sub growth {    # area of the straight side of a source after loading, over that before; of revolution where the scene is
-    my ($step, $source) = @_;
-    my ($body) = $source =~ /^(\w+)\./ or die "'$source': expected BODY.SIDE\n";
+sub growth {    # area of the straight side between two nodes of a body after loading, over that before; of revolution where the scene is
+    my ($step, $body, @ends) = @_;
     my (@before, @after);
-    for (pairs_of($step, $source)) {
-        my ($x, $y) = ($step->{pairs}{x}[$_], $step->{pairs}{y}[$_]);
-        my @u = map { at_node($step, $body, "$x,$y", 'displacement', $_) } 0, 1;
+    for (@ends) {
+        my ($x, $y) = split /,/;
         push @before, [$x, $y];
-        push @after, [$x + $u[0], $y + $u[1]];
+        push @after, [$x + at_node($step, $body, $_, 'displacement', 0), $y + at_node($step, $body, $_, 'displacement', 1)];
     }
     my $area = sub {
-        my ($p, $q) = @_[0, -1];
+        my ($p, $q) = @_;
         return sqrt(($q->[0] - $p->[0])**2 + ($q->[1] - $p->[1])**2) * ($step->{axial} ? abs($p->[0] + $q->[0]) : 1);
     };
     return $area->(@after) / $area->(@before);
@@ -145,8 +144,8 @@ sub root_mean_square {
 
 sub ours {
     my ($steps, $asked) = @_;
-    my ($what, $whom, $place, $turned, $time, $over, $grown) = $asked =~ /^(\w+) of (\S+?)(?: at (\S+))?(?: turned (\S+))?(?: time (\S+))?(?: over (\S+))?(?: grown (\S+))?$/
-        or die "'$asked': expected WHAT of WHOM at PLACE turned A time T over W grown SOURCE\n";
+    my ($what, $whom, $place, $turned, $time, $over, $grown) = $asked =~ /^(\w+) of (\S+?)(?: at (\S+))?(?: turned (\S+))?(?: time (\S+))?(?: over (\S+))?(?: grown (\S+ \S+ \S+))?$/
+        or die "'$asked': expected WHAT of WHOM at PLACE turned A time T over W grown BODY x,y x,y\n";
     my ($step) = defined $time ? grep({ abs($_->{time} - $time) < 1e-9 } @$steps) : $steps->[-1];
     die "no step at time $time\n" if !$step;
     my $value;
@@ -166,10 +165,14 @@ sub ours {
         my ($body) = grep { $_->{name} eq $whom } @{ $step->{bodies} } or die "no body '$whom'\n";
         $value = $body->{supports}[$1 eq 'y'];
     }
+    elsif ($what =~ /^(?:least|largest)_pressure$/) {
+        my ($tie) = grep { $_->{name} =~ /^\Q$whom\E to / } @{ $step->{bonds} } or die "no tie of '$whom'\n";
+        $value = $tie->{$what};
+    }
     elsif ($what eq 'pressing') { $value = grep { $step->{pairs}{force}[$_] > 0 } pairs_of($step, $whom) }
     elsif ($what eq 'rms') { $value = root_mean_square($step, $whom) }
     die "'$asked': unknown quantity\n" if !defined $value;
-    return $value / ($over // 1) * (defined $grown ? growth($step, $grown) : 1);
+    return $value / ($over // 1) * (defined $grown ? growth($step, split / /, $grown) : 1);
 }
 
 sub allowed { my ($tolerance, $reference) = @_; return $tolerance =~ /^(\S+) %$/ ? $1 / 100 * abs($reference) : $tolerance }
