@@ -7,6 +7,7 @@
 #include "addons/programme/dense_programme.hpp"
 #include "catch_compat.hpp"
 #include "papers/solver_table.hpp"
+#include "signorini/core/rounding.hpp"
 #include "support/message.hpp"
 
 using namespace signorini;
@@ -213,6 +214,30 @@ TEST_CASE("an unknown that is 0 beside others without energy has no size of its 
     REQUIRE(solution.report.status == SolveStatus::Solved);
     CHECK(solution.refined.displacement(0) == 0);
     CHECK(solution.refined.force.isZero(0));
+  }
+}
+
+TEST_CASE("equations that hold all unknowns at 0 leave nothing but 0", "[dense_programme]") {
+  const Index n = 9;
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    DenseProgramme programme;
+    programme.stiffness.setZero(n, n);
+    programme.load = VectorXd::NullaryExpr(n, [&] { return uniform(random); });
+    programme.A.setZero(2 * n, n);
+    programme.A.topRows(n) = MatrixXd::NullaryExpr(n, n, [&] { return uniform(random); });
+    programme.A.bottomRows(n).setIdentity();
+    programme.initial_gap = VectorXd::Zero(2 * n);
+    programme.initial_gap.tail(n).setConstant(75);
+    programme.equations = n;
+    for (const char* solver : {"quasi_active_set", "goldfarb_idnani"}) {
+      CAPTURE(seed, solver);
+      const DenseSolution solution = solve(programme, find_solver(solver));
+      REQUIRE(solution.report.status == SolveStatus::Solved);
+      CHECK(largest(solution.refined.displacement) <= 1e-15);
+      CHECK(solution.certificate.holds());
+    }
   }
 }
 

@@ -113,6 +113,12 @@ PrimalDual without_rounding(const ProgrammeRows::Refined& refined, double spring
   return less;
 }
 
+/// The same without displacements: where equations hold all unknowns at 0, what is left of these is rounding that has no size to be
+/// compared with.
+PrimalDual at_rest(const ProgrammeRows::Refined& refined) {
+  return {VectorXd::Zero(refined.solution.displacement.size()), {}, refined.solution.force};
+}
+
 /// The rounds of proximal_solution(), in units of their own.
 class Proximal {
  public:
@@ -176,7 +182,7 @@ class Proximal {
     ActiveSetFactor face = data_.basis_at(*closed_, {u, {}, near.refined.force});
     const ProgrammeRows::Refined refined = data_.refine(face);
     if (keep(refined, refined.solution) ||
-        keep(refined, without_rounding(refined, spring, face.size()))) {
+        keep(refined, without_rounding(refined, spring, face.size())) || keep(refined, at_rest(refined))) {
       best_.report.status = SolveStatus::Solved;
       return true;
     }
