@@ -4,7 +4,9 @@
 #include <random>
 #include <vector>
 
+#include "addons/programme/active_set_programme.hpp"
 #include "addons/programme/dense_programme.hpp"
+#include "addons/programme/proximal_programme.hpp"
 #include "catch_compat.hpp"
 #include "papers/solver_table.hpp"
 #include "signorini/core/rounding.hpp"
@@ -239,6 +241,35 @@ TEST_CASE("equations that hold all unknowns at 0 leave nothing but 0", "[dense_p
       CHECK(solution.certificate.holds());
     }
   }
+}
+
+// Linear programmes; the method says that it has solved what it was started with, but has no numbers.
+TEST_CASE("a proximal point that the last rows do not lead to is looked for from none",
+          "[dense_programme]") {
+  const Index n = 6, m = 14;
+  int lost = 0;
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    DenseProgramme programme;
+    programme.stiffness.setZero(n, n);
+    programme.A.resize(m, n);
+    programme.A.topRows(m - n) = MatrixXd::NullaryExpr(m - n, n, [&] { return uniform(random); });
+    programme.A.bottomRows(n).setIdentity();
+    programme.initial_gap = VectorXd::NullaryExpr(m, [&] { return 1e9 * (2 + uniform(random)); });
+    programme.load = programme.A.transpose() * VectorXd::NullaryExpr(m, [&] { return 1 + uniform(random); });
+    const DenseSolution solution =
+        proximal_solution(programme, [&](const DenseProgramme& near, SolverOptions from) {
+          DenseSolution point = goldfarb_idnani(near, from);
+          if (from.start.empty()) return point;
+          ++lost;
+          point.refined.force.setConstant(std::nan(""));
+          return point;
+        });
+    CHECK(solution.certificate.holds());
+  }
+  CHECK(lost > 0);
 }
 
 TEST_CASE("where nothing satisfies the rows a semidefinite programme has its proof",

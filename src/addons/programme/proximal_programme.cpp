@@ -162,17 +162,25 @@ class Proximal {
     return certificate.holds();
   }
 
+  /// A breakdown is a claim like others: what its rows make of the face is looked at.
+  static bool claims(const DenseSolution& near) {
+    const SolveStatus status = near.report.status;
+    return (status == SolveStatus::Solved || status == SolveStatus::Breakdown) &&
+           near.refined.displacement.allFinite() && near.refined.force.allFinite();
+  }
+
   /// One proximal point, the least energy of its face, and where the springs are at rest next. \return whether this is the end
   bool round() {
     DenseSolution near = method_(around_rest(), options());
     append(best_.report, near.report);
+    if (closed_ && !claims(near)) {  // another way may lead there
+      near = method_(around_rest(), {});
+      append(best_.report, near.report);
+    }
     const VectorXd u = rest_ + near.refined.displacement;
-    // A breakdown is a claim like others: what its rows make of the face is looked at.
-    const SolveStatus status = near.report.status;
-    const bool claims = status == SolveStatus::Solved || status == SolveStatus::Breakdown;
-    if (!claims || !u.allFinite() || !near.refined.force.allFinite()) {
+    if (!claims(near) || !u.allFinite()) {
       if (closed_) return true;
-      best_.report.status = status;
+      best_.report.status = near.report.status;
       best_.farkas_certificate = own_.forces(near.farkas_certificate);
       best_.refined = own_.as_posed({u, {}, near.refined.force});
       best_.gap = posed_.initial_gap - posed_.A * best_.refined.displacement;
