@@ -163,9 +163,15 @@ TEST_CASE("a column above Euler's load stands straight and is noted", "[motion][
     column.supports[2].history = "press";
     scene.path = Path{{1}, {proportional("press")}};
     std::vector<std::string> notes;
-    const PathEnd end =
-        solve_steps(scene, [&](const Model&, const Step& step) { notes = step.solution.notes; });
+    Eigen::Index springs = 0;
+    const PathEnd end = solve_steps(scene, [&](const Model&, const Step& step) {
+      notes = step.solution.notes;
+      for (const LedgerEntry& entry : step.solution.ledger.entries())
+        for (const auto& [what, count] : entry.counts)
+          if (what == "held by springs") springs += Eigen::Index(count);
+    });
     REQUIRE(end.status == SolveStatus::Solved);
+    CHECK((springs > 0) == (press > 0.16));  // the ledger says so
     const bool unstable = std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
       return note.find("the equilibrium is unstable") == 0 && note.find("'column'") != std::string::npos;
     });

@@ -88,6 +88,8 @@ std::optional<Corrected> try_rung(std::size_t number, const TangentProblem& prob
   }
   problem.model.order = trial.order = condensed.factor.order();  // patterns of a step hardly differ
   ledger.count("factors", 1);
+  if (rung.springs > 0) ledger.count("held by springs", 1);
+  if (!problem.held.empty()) ledger.count("held by closed pairs", 1);
   Corrected tried = corrected_solve(trial, lacking(problem, number, rung.springs * mean),
                                     problem.options, condensed, std::exchange(ledger, {}));
   ledger = std::move(tried.solution.ledger);
