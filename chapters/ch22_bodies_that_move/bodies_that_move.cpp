@@ -45,8 +45,8 @@ void depths(const ProgramOptions& run, Results& results) {
     results.add(text("rate_", number(1000 * depth)), shrinks, "-");
   }
   for (const int corrections : {1, 6}) {
-    const Place turned = dragged(bodies, 0.05, corrections, curve);
-    results.add(text("iterations_of_", corrections), double(turned.moves.size()), "-");
+    const Place corrected = dragged(bodies, 0.05, corrections, curve);
+    results.add(text("iterations_of_", corrections), double(corrected.moves.size()), "-");
   }
   std::cout << table.markdown();
   write_file(run.out / "loop.md", table.markdown());

@@ -100,17 +100,13 @@ inline NodalRows rows_of(const Gaps& gaps) {
   return gaps.T.nonZeros() == 0 ? gaps.A : below(gaps.A, -gaps.T);
 }
 
-/// The contact problem of what the bodies still have to move, with rows and gaps of this place.
-inline ContactProblem linear_problem(const Assembled& bodies, const Gaps& gaps, const NodalRows& A,
-                                     const VectorXd& free) {
+/// What the rows of this place say of contact, but for the load: compliance and law.
+inline ContactProblem problem_here(const Assembled& bodies, const Gaps& gaps, const NodalRows& A) {
   Ledger ledger;
-  const VectorXd moved = A * free;
   const Index n = gaps.pairs.weight.size();
-  ContactProblem problem{bodies.factor.compliance(A, ledger),
-                         gaps.pairs.initial_gap - moved.head(n)};
-  if (A.rows() == n) return problem;
-  problem.free_slip = gaps.initial_slip - moved.tail(n);
-  problem.law = law_of_all(VectorXd::Constant(n, bodies.of.friction), VectorXd::Zero(n));
+  ContactProblem problem{bodies.factor.compliance(A, ledger), gaps.pairs.initial_gap};
+  if (A.rows() > n)
+    problem.law = law_of_all(VectorXd::Constant(n, bodies.of.friction), VectorXd::Zero(n));
   return problem;
 }
 
@@ -128,18 +124,29 @@ inline NodeArray pushes(const Assembled& bodies, const Place& place) {
   return Eigen::Map<const NodeArray>(all.data(), bodies.model.unknowns.number.rows(), 2);
 }
 
-/// The way to the answer of the linear contact problem of a place under a load; `contact` becomes that answer.
+/// The way to the answer of the linear contact problem of a place: two solves with the factor, and the small problem.
+/// \param A        rows of gaps, then of slips `n_c + n_s` x `n`
+/// \param load     `n` [N]
+/// \param problem  of A; gets the movements that this load makes without contact
+/// \param contact  becomes the answer
+/// \return d `n` [length]
 inline VectorXd way(const Assembled& bodies, const Gaps& gaps, const NodalRows& A,
-                    const VectorXd& load, ContactState& contact) {
+                    const VectorXd& load, ContactProblem& problem, ContactState& contact) {
   const VectorXd free = bodies.factor.solve(load);
-  contact = solve(linear_problem(bodies, gaps, A, free), bodies.model.solver);
+  const VectorXd moved = A * free;
+  const Index n = gaps.pairs.weight.size();
+  problem.free_gap = gaps.pairs.initial_gap - moved.head(n);
+  if (A.rows() > n) problem.free_slip = gaps.initial_slip - moved.tail(n);
+  contact = solve(problem, bodies.model.solver);
   return free - bodies.factor.solve(A.transpose() * forces_of(contact));
 }
 
-/// What contact forces do along a way d because they turn: a difference over 1e-8 of it, beside bodies of size 1. Nothing where
-/// that finds other pairs.
+/// What contact forces do along a way because they turn: a difference over 1e-8 in length, beside bodies of size 1. Nothing where
+/// that place has pairs of another number.
+/// \param now  with the contact forces \param A  its rows \param d  `n` the way [length]
+/// \return `n` [N]
 inline VectorXd turned(const Assembled& bodies, const Place& now, const NodeArray& before,
-                       const NodalRows& A, const VectorXd& d) {
+                              const NodalRows& A, const VectorXd& d) {
   const double part = 1e-8 / std::max(d.cwiseAbs().maxCoeff(), 1e-300);
   // [turned]
   const NodeArray ahead = now.u + part * expand(bodies.model.unknowns, d);
@@ -164,10 +171,11 @@ inline Place step(const Assembled& bodies, const NodeArray& before, const Vector
   do {
     now.gaps = gaps_at(bodies, now.u, before);  // pairs where the bodies are,
     const NodalRows A = rows_of(now.gaps);      // frozen until the next iteration
+    ContactProblem problem = problem_here(bodies, now.gaps, A);
     const VectorXd load = out_of_balance(model, now.u);
-    VectorXd d = way(bodies, now.gaps, A, load, now.contact);
+    VectorXd d = way(bodies, now.gaps, A, load, problem, now.contact);
     for (int k = 0; k < corrections; ++k)
-      d = way(bodies, now.gaps, A, load + turned(bodies, now, before, A, d), now.contact);
+      d = way(bodies, now.gaps, A, load + turned(bodies, now, before, A, d), problem, now.contact);
     now.u += expand(model.unknowns, d);
     now.moves.push_back(d.cwiseAbs().maxCoeff());
   } while (now.moves.back() > rounding && now.moves.size() < most);

@@ -4,8 +4,8 @@
 # deck.pl PROGRAM DECKS FOLDER --check: no scene, mesh or row of that table is without its deck.
 #
 # A row of DECKS/references is `quantity | reference | where the reference stands`, with a fourth part if it has a tolerance of its own, or `differs: why`.
-# A quantity is `WHAT of WHOM`, and behind that, where it has a meaning, ` at PLACE`, ` time T`, ` over W`, by which ours is divided, and ` grown BODY x,y x,y`: a stress on the area
-# that the straight side between these two nodes has after loading makes the force that is compared, so ours is multiplied by that area over the area before. WHAT is:
+# A quantity is `WHAT of WHOM`, and behind that, where it has a meaning, ` at PLACE`, ` time T`, ` over W`, by which ours is divided, and ` grown BODY x,y x,y`: ours is multiplied
+# by the area that the straight side between these two nodes has after loading, over the area before. WHAT is:
 #   u_x u_y of BODY at x,y                     displacement of the node that was there before loading; ` turned A`: in a scene that is turned back by A degrees
 #   s_xx s_yy s_xy of BODY at x,y              stress there
 #   R_x R_y of BODY                            what its supports bear
@@ -56,7 +56,7 @@ sub solved {    # the document of the program, the steps of it and their VTU fil
     die "deck.pl: $name is not solved, exit code ", $? >> 8, "\n" if $?;
     my $read = Json::decode($said);
     my @steps = $read->{steps} ? @{ $read->{steps} } : ($read);
-    my $axial = slurp("$decks/$name.toml") =~ /axial symmetry/;
+    my $axial = slurp("$decks/$name.toml") =~ /^[^#]*state = "axial symmetry"/m;
     for my $k (0 .. $#steps) { $steps[$k]{axial} = $axial; $steps[$k]{vtu} = $read->{steps} ? sprintf("$folder/%s_%04d.vtu", $name, $k + 1) : $vtu }
     return \@steps;
 }
@@ -213,12 +213,22 @@ sub alike {    # two rows of the table: the same words, and numbers that differ 
     return 1;
 }
 
-sub total {    # how many decks agree in every number; a row that `differs` fails once it does no longer, so references know
-    my ($deck) = @_;
-    my @names = keys %$deck;
-    my @whole = grep { !grep { $_->{differs} } @{ $deck->{$_}{rows} } } @names;
-    my %project = map { $deck->{$_}{project} => 1 } @whole;
-    return sprintf "%d of %d decks agree in every number, of %d projects.\n", scalar @whole, scalar @names, scalar keys %project;
+sub total {    # how many decks have no row that `differs`, of each project, and what these rest on
+    my ($deck, $order) = @_;
+    my (%all, %whole, $grown, $counts);
+    for (map { $deck->{$_} } @$order) {
+        ++$all{ $_->{project} };
+        my @rows = @{ $_->{rows} };
+        next if grep { $_->{differs} } @rows;
+        ++$whole{ $_->{project} };
+        ++$grown if grep { $_->{asked} =~ / grown / } @rows;
+        ++$counts if !grep { $_->{asked} !~ /^pressing / } @rows;
+    }
+    my ($sum, $sum_of_all) = (0, 0);
+    $sum += $_ for values %whole;
+    $sum_of_all += $_ for values %all;
+    return sprintf "%d of %d decks agree in every number: %s. In %d of these some are taken on the deformed area, and %d compare counts of nodes alone.\n", $sum, $sum_of_all,
+        join(', ', map { sprintf '%s %d of %d', $_, $whole{$_} // 0, $all{$_} } sort { $all{$b} <=> $all{$a} || $a cmp $b } keys %all), $grown, $counts;
 }
 
 my ($deck, $order) = references();
@@ -227,7 +237,7 @@ if ($asked eq '--update') {
     my $table = "| deck | project | what it shows | worst within the tolerance | reference | ours | tolerance | agree |\n|:--|:--|:--|:--|--:|--:|--:|--:|\n";
     $table .= table_row($_, $deck->{$_}, compared($_, $deck->{$_})) for @$order;
     my $text = slurp($readme);
-    $text =~ s/(<!-- decks -->\n\n).*?(\n<!-- \/decks -->)/$1@{[total($deck)]}\n$table$2/s or die "deck.pl: $readme: no <!-- decks -->\n";
+    $text =~ s/(<!-- decks -->\n\n).*?(\n<!-- \/decks -->)/$1@{[total($deck, $order)]}\n$table$2/s or die "deck.pl: $readme: no <!-- decks -->\n";
     open my $out, '>', $readme or die "deck.pl: $readme: $!\n";
     print $out $text;
     close $out or die "deck.pl: $readme: $!\n";
@@ -239,7 +249,7 @@ if ($asked eq '--check') {
     my @told = slurp($readme) =~ /^\| \[(\w+)\]\(/mg;
     print "no deck of references needs $_\n" for @idle;
     print "the table of README.md has other decks than references, or in another order: run --update\n" if "@told" ne "@$order";
-    my $total = total($deck);
+    my $total = total($deck, $order);
     my $counted = index(slurp($readme), $total) >= 0;
     print "README.md should say: $total" if !$counted;
     exit(@idle || "@told" ne "@$order" || !$counted ? 1 : 0);

@@ -79,7 +79,7 @@ TEST_CASE("with the normal's turning the error of a node is squared", "[motion]"
 }
 
 // A block at a depth of 5 % of its height, with friction and without: the moves of the step that drags it.
-TEST_CASE("frozen forces leave a quarter of each move, and forces that turn its square", "[motion]") {
+TEST_CASE("frozen forces leave a quarter of each move, and six corrections a thousandth", "[motion]") {
   for (const double friction : {0.0, 0.3}) {
     CAPTURE(friction);
     Two of = blocks(1);
@@ -92,14 +92,13 @@ TEST_CASE("frozen forces leave a quarter of each move, and forces that turn its 
       CHECK(dragged.arrived);
       return dragged.moves;
     };
-    const std::vector<double> frozen = moves(0), turned = moves(6);
+    const std::vector<double> frozen = moves(0), corrected = moves(6);
     CHECK(frozen.size() <= 25);
     CHECK(frozen.size() > 10);
-    CHECK(turned.size() <= 6);
-    for (std::size_t k = turned.size() - 3; k < turned.size(); ++k) {
-      CAPTURE(k, turned[k - 1], turned[k]);
-      CHECK(turned[k] <= 0.2 * turned[k - 1]);
-      CHECK(turned[k] <= 100 * turned[k - 1] * turned[k - 1] + rounding);
+    CHECK(corrected.size() <= 6);
+    for (std::size_t k = corrected.size() - 2; k < corrected.size(); ++k) {
+      CAPTURE(k, corrected[k - 1], corrected[k]);
+      CHECK(corrected[k] <= 2e-3 * corrected[k - 1] + rounding);
     }
   }
 }

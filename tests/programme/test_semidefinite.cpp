@@ -243,6 +243,37 @@ TEST_CASE("equations that hold all unknowns at 0 leave nothing but 0", "[dense_p
   }
 }
 
+// d = (-2, 3, 0, 0, -1, 1, 3, 1) is felt by neither K nor the equations, of which the first four have the rank 3, and the last row grows
+// along it. Multipliers of such equations may be of any size, beside which no load is seen.
+TEST_CASE("a place without displacements is no solution where the energy falls for ever", "[dense_programme]") {
+  DenseProgramme programme;
+  const VectorXd d = (VectorXd(8) << -2, 3, 0, 0, -1, 1, 3, 1).finished();
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    std::mt19937 random(seed);
+    std::uniform_int_distribution<int> whole(-4, 4);
+    const MatrixXd off = MatrixXd::Identity(8, 8) - d * d.transpose() / d.squaredNorm();
+    const auto rows = [&](Index count) -> MatrixXd {
+      return MatrixXd::NullaryExpr(count, 8, [&] { return double(whole(random)); }) * off;
+    };
+    const MatrixXd root = rows(3);
+    programme.stiffness = root.transpose() * root;
+    programme.load = rows(1).transpose() + d;
+    programme.A.resize(7, 8);
+    programme.A.topRows(4) = rows(4);
+    programme.A.row(3) = programme.A.row(0) + programme.A.row(1);
+    programme.A.middleRows(4, 2) = rows(2);
+    programme.A.row(6) = -d.transpose();
+    programme.initial_gap = (VectorXd(7) << 0, 0, 0, 0, 5, 4, 1).finished();
+    programme.equations = 4;
+    CAPTURE(seed);
+    try {
+      CHECK(solve(programme, find_solver("quasi_active_set")).report.status != SolveStatus::Solved);
+    } catch (const ProblemError& error) {
+      CHECK(std::string(error.what()).find("no least value") != std::string::npos);
+    }
+  }
+}
+
 // Linear programmes; the method says that it has solved what it was started with, but has no numbers.
 TEST_CASE("a proximal point that the last rows do not lead to is looked for from none",
           "[dense_programme]") {

@@ -50,6 +50,7 @@ struct Rung {
 
 constexpr std::array<Rung, 7> ladder = {
     {{40, 0}, {400, 0}, {4000, 0}, {40, 1e-6}, {40, 1e-4}, {40, 1e-2}, {40, 1e-1}}};
+constexpr std::size_t stiff_springs = 5;  // these make ways short; weaker ones are on the right as well
 
 /// Makes \f$ \rho A_c^T A_c \f$, which belongs to K, and adds \f$ \rho A_c^T g_c \f$ to p. Where one of the rows c is about to open it resists
 /// a little, as a spring that is at rest where it holds.
@@ -89,14 +90,14 @@ std::optional<Corrected> try_rung(std::size_t number, const TangentProblem& prob
   problem.model.order = trial.order = condensed.factor.order();  // patterns of a step hardly differ
   ledger.count("factors", 1);
   if (rung.springs > 0) ledger.count("held by springs", 1);
-  if (!problem.held.empty()) ledger.count("held by closed pairs", 1);
   Corrected tried = corrected_solve(trial, lacking(problem, number, rung.springs * mean),
                                     problem.options, condensed, std::exchange(ledger, {}));
   ledger = std::move(tried.solution.ledger);
   return tried;
 }
 
-/// The side of a cell with a law that is shortened most, in words.
+}  // namespace
+
 std::string most_shortened(const Model& model) {
   double least = 1;
   std::string words = "no side of a cell is shorter than it was";
@@ -118,8 +119,6 @@ std::string most_shortened(const Model& model) {
   }
   return words;
 }
-
-}  // namespace
 
 Solution solve_with_tangent(const TangentProblem& problem, Condensed& condensed, Ledger ledger) {
   Model trial = without_stiffness(problem.model);

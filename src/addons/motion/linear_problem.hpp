@@ -17,9 +17,8 @@ namespace signorini {
 [[nodiscard]] std::vector<Eigen::Index> held_rows(const std::vector<ContactStatus>& statuses,
                                                   const FrictionLaw& law);
 
-/// Rungs of the ladder from which on springs hold every unknown, since no pair that presses makes the tangent definite: weak ones,
-/// which are on the right as well, and stiff ones, which make ways short.
-inline constexpr std::size_t weak_springs = 3, stiff_springs = 5;
+/// The rung of the ladder from which on springs hold every unknown, since no pair that presses makes the tangent definite.
+inline constexpr std::size_t weak_springs = 3;
 
 /// The linear problem of a model with a tangent of its own, which may be indefinite.
 struct TangentProblem {
@@ -44,5 +43,9 @@ struct TangentProblem {
 ///   strain; empty if nothing is
 [[nodiscard]] std::string why_indefinite(const Model& model, const std::vector<Eigen::Index>& held,
                                          std::size_t rung);
+
+/// \param model  placed
+/// \return the side of a cell with a law that is shortened most, in words
+[[nodiscard]] std::string most_shortened(const Model& model);
 
 }  // namespace signorini

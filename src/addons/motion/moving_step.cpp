@@ -90,8 +90,7 @@ Solution Moving::linear_problem() {
     move_freely(model, std::move(free), condensed);
     Solution solution =
         corrected_solve(model, turned, options, condensed, std::move(ledger)).solution;
-    const bool flies = held.empty() && solution.contact.unbounded_direction.size() > 0;
-    if (!flies || !rest) return solution;
+    if (!rest || !held.empty() || solution.contact.unbounded_direction.size() == 0) return solution;
     ledger = std::move(solution.ledger);
   }
   return solve_with_tangent({model, held, turned, options, rung}, condensed, std::move(ledger));
@@ -112,13 +111,12 @@ bool Moving::goes_to(const Solution& solution) {
 
 /// Gaps of open pairs and slips of those that move, as they are where the bodies stand: the linear problem has foreseen them.
 void read_movements(const VectorXd& movement, ContactState& contact) {
-  const Index pairs = contact.gap.size();
-  VectorXd gap = movement.head(pairs);
+  VectorXd gap = movement.head(contact.gap.size());
   for (const Index pair : contact.active()) gap(pair) = contact.gap(pair);
   contact.gap = std::move(gap);
   for (Index k = 0; k < contact.slip.size(); ++k)
     if (status_of_slip(contact, k) != ContactStatus::Stick)
-      contact.slip(k) = movement(pairs + k);
+      contact.slip(k) = movement(contact.gap.size() + k);
 }
 
 /// Whether what was solved, with these pairs, holds of the equations that are found where it leads to.
@@ -196,8 +194,8 @@ Solution Moving::solved(const VectorXd& expected) {
     if (ends(solution)) {
       place.conclude(solution);
       check_rotations(model, solution);
-      if (held.empty() && model.modes.empty() && rung >= weak_springs)
-        solution.notes.push_back(text("the equilibrium is unstable, the smallest push may lead elsewhere: ", why_indefinite(model, held, stiff_springs)));
+      if (solution.contact.active().empty() && model.modes.empty() && rung >= weak_springs)
+        solution.notes.push_back("the equilibrium is unstable, a small push leads elsewhere: the tangent is indefinite, where " + most_shortened(model));
       if (solution.contact.report.status == SolveStatus::Solved)
         check_solution(model, condensed, solution);
     }
@@ -213,16 +211,18 @@ Solution Moving::solved(const VectorXd& expected) {
 }  // namespace
 
 StepLoop moving_step(PlacePairs place) {
-  return {[place](const Displaced& displacement, const Displaced& before, Model& model) {
-            place(displacement, before, model);
-            count_from_the_scene(displacement, model);
-          },
-          [place](const Displaced& before, const VectorXd& expected, const SolverOptions& options,
-                  Model& model, Condensed& condensed, Ledger ledger) {
-            return Moving{before, model, condensed, options, std::move(ledger), {place, before, model}}
-                .solved(expected);
-          },
-          certificate_where_it_stands};
+  StepLoop loop;
+  loop.place = [place](const Displaced& displacement, const Displaced& before, Model& model) {
+    place(displacement, before, model);
+    count_from_the_scene(displacement, model);
+  };
+  loop.solve = [place](const Displaced& before, const VectorXd& expected, const SolverOptions& options,
+                       Model& model, Condensed& condensed, Ledger ledger) {
+    return Moving{before, model, condensed, options, std::move(ledger), {place, before, model}}
+        .solved(expected);
+  };
+  loop.certify = certificate_where_it_stands;
+  return loop;
 }
 
 }  // namespace signorini

@@ -1,5 +1,6 @@
 #include "addons/programme/proximal_programme.hpp"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,6 +9,7 @@
 #include <utility>
 
 #include "addons/programme/programme_rows.hpp"
+#include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"
@@ -113,10 +115,14 @@ PrimalDual without_rounding(const ProgrammeRows::Refined& refined, double spring
   return less;
 }
 
-/// The same without displacements: where equations hold all unknowns at 0, what is left of these is rounding that has no size to be
-/// compared with.
-PrimalDual at_rest(const ProgrammeRows::Refined& refined) {
-  return {VectorXd::Zero(refined.solution.displacement.size()), {}, refined.solution.force};
+/// Of the multipliers of equations that depend on each other the shortest: all others differ by what does nothing to any unknown, and may be
+/// so large that nothing is of a size beside them.
+VectorXd shortest(const DenseProgramme& programme, const VectorXd& force) {
+  const auto equations = programme.A.topRows(programme.equations);
+  VectorXd less = force;
+  less.head(programme.equations) = least_norm_solution(
+      equations.transpose(), equations.transpose() * force.head(programme.equations));
+  return less;
 }
 
 /// The rounds of proximal_solution(), in units of their own.
@@ -127,11 +133,16 @@ class Proximal {
         own_(equilibrated(posed)),
         method_(method),
         data_(own_.programme, spring),
+        rank_(Eigen::ColPivHouseholderQR<MatrixXd>(own_.programme.A.topRows(posed.equations)).rank()),
         rest_(VectorXd::Zero(posed.load.size())) {}
 
   DenseSolution run() {
     best_.certificate = uncertified();
     best_.report.status = SolveStatus::Breakdown;
+    if (held_at_zero()) {
+      best_.report.status = SolveStatus::Solved;
+      return std::move(best_);
+    }
     // Rounding alone brings rows back without less energy, or takes more rounds than there are rows.
     std::set<Rows> seen;
     for (Index rounds = data_.count() + 10; !round() && rounds > 0; --rounds) {
@@ -142,6 +153,8 @@ class Proximal {
       if (!std::isfinite(energy)) break;
       lowest_ = std::min(lowest_, energy);
     }
+    if (best_.report.status == SolveStatus::Breakdown && (allowed(rest_) || allowed(0 * rest_)))
+      refuse_endless();
     return std::move(best_);
   }
 
@@ -149,7 +162,8 @@ class Proximal {
   static inline const double spring = std::sqrt(epsilon);
 
   /// Keeps a claim if its certificate is better than those before. \return whether it is good enough
-  bool keep(const ProgrammeRows::Refined& refined, const PrimalDual& solution) {
+  bool keep(const VectorXd& gap, PrimalDual solution) {
+    if (rank_ < own_.programme.equations) solution.force = shortest(own_.programme, solution.force);
     PrimalDual claim = own_.as_posed(solution);
     for (Index i = posed_.equations; i < claim.force.size(); ++i)
       claim.force(i) = std::max(0.0, claim.force(i));
@@ -157,13 +171,35 @@ class Proximal {
     if (certificate.worst() >= best_.certificate.worst()) return false;
     best_.certificate = certificate;
     best_.refined = claim;
-    best_.gap = refined.gap.cwiseQuotient(own_.row);
+    best_.gap = gap.cwiseQuotient(own_.row);
     best_.active = *closed_;
     return certificate.holds();
   }
 
+  /// Keeps the solution where the equations alone hold all unknowns at 0. \return whether they do
+  bool held_at_zero() {
+    const DenseProgramme& own = own_.programme;
+    const Index n = own.load.size();
+    const MatrixXd equations = own.A.topRows(own.equations);
+    if (rank_ < n || !own.initial_gap.head(own.equations).isZero(0)) return false;
+    closed_ = Rows();
+    VectorXd force = VectorXd::Zero(own.A.rows());
+    force.head(own.equations) = least_norm_solution(equations.transpose(), own.load);
+    return keep_zero(std::move(force));
+  }
+
+  /// Keeps no displacements at all: where rows hold all unknowns at 0, displacements would be rounding. Forces must balance the load
+  /// as beside a load alone, since there is nothing else. \return whether this is the end
+  bool keep_zero(VectorXd force) {
+    const DenseProgramme& own = own_.programme;
+    force.tail(force.size() - own.equations) = force.tail(force.size() - own.equations).cwiseMax(0.0);
+    const VectorXd left = own.load - own.A.transpose() * force;
+    return largest(left) <= certificate_tolerance * largest(own.load) &&
+           keep(own.initial_gap, {VectorXd::Zero(own.load.size()), {}, std::move(force)});
+  }
+
   /// A breakdown is a claim like others: what its rows make of the face is looked at.
-  static bool claims(const DenseSolution& near) {
+  static bool is_usable(const DenseSolution& near) {
     const SolveStatus status = near.report.status;
     return (status == SolveStatus::Solved || status == SolveStatus::Breakdown) &&
            near.refined.displacement.allFinite() && near.refined.force.allFinite();
@@ -173,12 +209,12 @@ class Proximal {
   bool round() {
     DenseSolution near = method_(around_rest(), options());
     append(best_.report, near.report);
-    if (closed_ && !claims(near)) {  // another way may lead there
+    if (closed_ && !is_usable(near)) {  // once more, with all rows open
       near = method_(around_rest(), {});
       append(best_.report, near.report);
     }
     const VectorXd u = rest_ + near.refined.displacement;
-    if (!claims(near) || !u.allFinite()) {
+    if (!is_usable(near) || !u.allFinite()) {
       if (closed_) return true;
       best_.report.status = near.report.status;
       best_.farkas_certificate = own_.forces(near.farkas_certificate);
@@ -189,8 +225,8 @@ class Proximal {
     closed_ = near.active;
     ActiveSetFactor face = data_.basis_at(*closed_, {u, {}, near.refined.force});
     const ProgrammeRows::Refined refined = data_.refine(face);
-    if (keep(refined, refined.solution) ||
-        keep(refined, without_rounding(refined, spring, face.size())) || keep(refined, at_rest(refined))) {
+    if (keep(refined.gap, refined.solution) ||
+        keep(refined.gap, without_rounding(refined, spring, face.size())) || keep_zero(refined.solution.force)) {
       best_.report.status = SolveStatus::Solved;
       return true;
     }
@@ -229,6 +265,35 @@ class Proximal {
     return from;
   }
 
+  /// Whether a place satisfies all rows, as far as half of the digits tell.
+  [[nodiscard]] bool allowed(const VectorXd& u) const {
+    const DenseProgramme& own = own_.programme;
+    const VectorXd gap = own.initial_gap - own.A * u;
+    const VectorXd size = own.initial_gap.cwiseAbs() + own.A.cwiseAbs() * u.cwiseAbs();
+    const Index e = own.equations;
+    return u.allFinite() && (gap.head(e).array().abs() <= spring * size.head(e).array()).all() &&
+           (gap.array() >= -spring * size.array()).all();
+  }
+
+  /// Of all directions that K and the equations do not feel and no row ends the one nearest to the load: the projection onto their cone. If it is
+  /// not 0, energy falls for ever along it.
+  void refuse_endless() {
+    const DenseProgramme& own = own_.programme;
+    const Index n = own.load.size();
+    MatrixXd felt(n + own.equations, n);
+    felt << own.stiffness, own.A.topRows(own.equations);
+    const MatrixXd free = null_space(felt);
+    if (free.cols() == 0) return;
+    const Index rows = own.A.rows() - own.equations;
+    const DenseSolution nearest =
+        method_({MatrixXd::Identity(free.cols(), free.cols()), free.transpose() * own.load,
+                 own.A.bottomRows(rows) * free, VectorXd::Zero(rows), 0},
+                {});
+    const VectorXd along = free * nearest.refined.displacement;
+    if (nearest.report.status == SolveStatus::Solved && largest(along) > std::sqrt(spring) * largest(own.load))
+      refuse(along);
+  }
+
   [[noreturn]] void refuse(const VectorXd& along) const {
     Index most = 0;
     own_.lengths(along).cwiseAbs().maxCoeff(&most);
@@ -243,6 +308,7 @@ class Proximal {
   Equilibrated own_;
   const StrictMethod& method_;
   ProgrammeRows data_;
+  Index rank_;                  // of the equations
   VectorXd rest_;               // where the springs are at rest
   std::optional<Rows> closed_;  // by the last proximal point
   double lowest_ = std::numeric_limits<double>::max();

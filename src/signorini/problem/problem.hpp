@@ -61,7 +61,7 @@ struct ContactProblem {
 /// The contact status of a pair, with the direction in which it slides: \PaperEq{LinEtAl, 13}, \PaperEq{LinEtAl, 14}
 enum class ContactStatus : signed char {
   Open,         ///< no force at all
-  Stick,        ///< no gap and, if the pair has friction, no slip
+  Stick,        ///< closed and not sliding: no gap and, if the pair has friction, no slip
   SlipForward,  ///< slip > 0, tau = -b
   SlipBackward  ///< slip < 0, tau = b
 };
@@ -149,7 +149,7 @@ struct ActiveSetSystem;
 struct ContactState {
   Eigen::VectorXd force;                      ///< lambda `n_c` [force], compression > 0
   Eigen::VectorXd gap;                        ///< `n_c` [length], open > 0
-  std::vector<ContactStatus> contact_status;  ///< `n_c` what the pairs do; without friction a closed one sticks
+  std::vector<ContactStatus> contact_status;  ///< `n_c` what the pairs do
   Report report;                              ///< how the solver got there
   std::vector<Eigen::Index> frictional_pairs = {};  ///< `n_s` pairs that the next two belong to
   Eigen::VectorXd friction = {};   ///< tau `n_s` [force], on the source along the tangent
@@ -170,9 +170,9 @@ struct ContactState {
   [[nodiscard]] std::vector<Eigen::Index> active() const { return closed_pairs(contact_status); }
 };
 
-/// \param contact  any
-/// \param slip     of a frictional pair, by its number among them
-/// \return what that pair does
+/// \param contact  of a problem with friction
+/// \param slip     row of `slip` and `friction`, below `n_s`
+/// \return what that frictional pair does
 [[nodiscard]] inline ContactStatus status_of_slip(const ContactState& contact, Eigen::Index slip) {
   const Eigen::Index pair = contact.frictional_pairs[static_cast<std::size_t>(slip)];
   return contact.contact_status[static_cast<std::size_t>(pair)];

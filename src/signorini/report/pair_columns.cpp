@@ -92,13 +92,13 @@ void check_solved(const Solution& solution, const std::optional<PathTotals>& tot
   const ContactState& contact = solution.contact;
   require_argument(contact.report.status == SolveStatus::Solved, function,
                    ": the problem was not solved (", to_string(contact.report.status), ')');
-  const std::size_t n_slips = contact.frictional_pairs.size();
-  require_argument(contact.contact_status.size() == static_cast<std::size_t>(contact.force.size()) &&
-                       contact.friction.size() == static_cast<Index>(n_slips) &&
-                       contact.slip.size() == static_cast<Index>(n_slips),
-                   function, ": expected friction, slip and motion of ", n_slips, " pairs, got ",
-                   contact.friction.size(), ", ", contact.slip.size(), " and ",
-                   contact.contact_status.size());
+  const auto n_slips = static_cast<Index>(contact.frictional_pairs.size());
+  const auto n_statuses = static_cast<Index>(contact.contact_status.size());
+  require_argument(contact.friction.size() == n_slips && contact.slip.size() == n_slips &&
+                       n_statuses == contact.force.size(),
+                   function, ": expected friction and slip of ", n_slips, " pairs and the status of ",
+                   contact.force.size(), ", got ", contact.friction.size(), ", ",
+                   contact.slip.size(), " and ", n_statuses);
   require_argument(!totals || (totals->slip.size() == contact.friction.size() &&
                                totals->dissipation.size() == contact.friction.size()),
                    function, ": the solution has ", contact.friction.size(),

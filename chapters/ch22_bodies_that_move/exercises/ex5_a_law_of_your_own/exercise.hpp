@@ -14,7 +14,7 @@ using signorini::StressResponse;
 /// \param lame      lambda >= 0 and mu > 0 [force/length^2]
 /// \param H         F - 1, det F > 0: 11, 12, 21, 22 and 33, that across the plane [-]. May be as small as 1e-12: stresses keep
 ///   ten of their digits
-/// \param response  is filled: P, the derivative of P, the energy
+/// \param response  is filled: P, its derivative, and the energy, of which no digits are asked for small H
 void stress(const Lame& lame, const Components& H, StressResponse& response);
 
 /// \return that law as a member of strain_laws(), by the name of "quadratic_volume"

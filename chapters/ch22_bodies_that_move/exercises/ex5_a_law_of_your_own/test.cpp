@@ -75,8 +75,8 @@ TEST_CASE("ex22.5 a block that is pressed to half of its height", "[ex22.5]") {
   register_motion();
   add_strain_law(quadratic_volume());
   const double mu = 1 / 2.6, lambda = 0.3 / (1.3 * 0.4), s = 0.5;
-  const double width = (mu + lambda / 2) / (mu + lambda / 2 * s * s);  // its square
-  const double exact = -(mu * (s * s - 1) + lambda / 2 * (width * s * s - 1)) / s;
+  const double width_squared = (mu + lambda / 2) / (mu + lambda / 2 * s * s);
+  const double exact = -(mu * (s * s - 1) + lambda / 2 * (width_squared * s * s - 1)) / s;
   CHECK(exact == Approx(0.9413).epsilon(1e-4));
   CHECK(pressed(find_strain_law("quadratic_volume")) == Approx(exact).epsilon(1e-10));
 }
