@@ -178,3 +178,26 @@ TEST_CASE("a column above Euler's load stands straight and is noted", "[motion][
     CHECK(unstable == (press > 0.16));
   }
 }
+
+// A step without a new load begins where it ends, with a tangent that does not know yet which pairs press.
+TEST_CASE("rubber that is held under a plate is not said to be unstable", "[motion]") {
+  Scene scene = block_of({"neo_hooke", 0.45});
+  scene.bodies.resize(2);
+  Body& plate = scene.bodies[1];
+  plate.mesh = block("plate", {-0.5, 1}, {2, 0.5}, 4, 1);
+  plate.material = {1000, 0.3, PlaneState::Strain, 1};
+  plate.supports = {prescribed("top", Axis::X, 0), prescribed("top", Axis::Y, -0.4)};
+  plate.supports[1].history = "press";
+  scene.contacts = {{{"top", "block"}, Side{"bottom", "plate"}}};
+  scene.contacts[0].friction = Friction{1, 0};
+  scene.path = Path{{0.5, 1, 2, 3}, {{"press", {0, 1, 3}, {0, 1, 1}}}};
+  int steps = 0;
+  const PathEnd end = solve_steps(scene, [&](const Model&, const Step& step) {
+    ++steps;
+    CHECK(!step.solution.contact.active().empty());
+    for (const std::string& note : step.solution.notes) CHECK(note.find("unstable") == std::string::npos);
+  });
+  INFO(end.reason);
+  CHECK(end.status == SolveStatus::Solved);
+  CHECK(steps == 4);
+}
