@@ -274,6 +274,23 @@ TEST_CASE("a place without displacements is no solution where the energy falls f
   }
 }
 
+// Five equations of the rank 4, whose right sides are 0: nothing but 0 satisfies them. Of the last one elimination leaves rounding.
+TEST_CASE("equations whose right sides are 0 do not contradict each other", "[dense_programme]") {
+  DenseProgramme programme;
+  programme.stiffness.resize(4, 4);
+  programme.stiffness << 13, -20, -2, 2, -20, 32, 4, 0, -2, 4, 1, 2, 2, 0, 2, 8;
+  programme.load = (VectorXd(4) << -6, -9, 17, 3).finished();
+  programme.A.resize(7, 4);
+  programme.A << 3, 2, -3, 0, -2, 1, -4, -1, -2, -1, 2, 0, 0, 1, 0, 0, 0, 0, 1, 0, 3, 0, 2, 2, 0, 0, 0, -1;
+  programme.initial_gap = (VectorXd(7) << 0, 0, 0, 0, 0, 0, 1).finished();
+  programme.equations = 5;
+  const DenseSolution solution = solve(programme, find_solver("quasi_active_set"));
+  REQUIRE(solution.report.status == SolveStatus::Solved);
+  CHECK(largest(solution.refined.displacement) <= 1e-15);
+  programme.initial_gap(3) = 1;  // twice the first and three times the third make the fourth
+  CHECK(solve(programme, find_solver("quasi_active_set")).report.status == SolveStatus::Infeasible);
+}
+
 // Linear programmes; the method says that it has solved what it was started with, but has no numbers.
 TEST_CASE("a proximal point that the last rows do not lead to is looked for from none",
           "[dense_programme]") {

@@ -7,6 +7,7 @@
 
 #include "addons/programme/dense_programme.hpp"
 #include "addons/programme/equation_split.hpp"
+#include "signorini/core/dense.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/core/triangular.hpp"
@@ -14,7 +15,7 @@
 namespace signorini {
 namespace {
 
-using Eigen::Index, Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 /// How far a row of this weight can move when the unknowns move so far; a row without entries cannot.
 double movement_within(double stretch, double weight) { return weight > 0 ? stretch / weight : 0; }
@@ -68,6 +69,17 @@ CholeskyFactor factored_with_enough(const DenseProgramme& programme, double spri
     rho = *enough;
     return factored(programme, rho, spring);
   }
+}
+
+/// Whether no place at all satisfies the equations, beyond rounding: where rounding of an elimination has no size to be compared with,
+/// the nearest place tells.
+bool contradictory(const DenseProgramme& programme) {
+  const MatrixXd E = programme.A.topRows(programme.equations);
+  const VectorXd g = programme.initial_gap.head(programme.equations);
+  const VectorXd nearest = least_norm_solution(E, g);
+  const VectorXd size = g.cwiseAbs() + E.cwiseAbs() * nearest.cwiseAbs();
+  const double rounding = 4 * static_cast<double>(E.rows() + E.cols()) * epsilon;
+  return ((g - E * nearest).array().abs() > rounding * size.array()).any();
 }
 
 }  // namespace
@@ -144,7 +156,7 @@ ActiveSetFactor ProgrammeRows::basis_of(const std::vector<Index>& closed) {
   gaps(basis, gap, rounding);
   const ActiveSetFactor::Candidates candidates = append(closed, gap, rounding, basis);
   for (Index i = 0; i < equations(); ++i)
-    if (std::abs(candidates.gap(i)) > 4 * candidates.rounding(i))
+    if (std::abs(candidates.gap(i)) > 4 * candidates.rounding(i) && contradictory(programme_))
       throw ProblemError(text("quadratic programme: equation ", i + 1,
                               " contradicts the others; nothing satisfies them all"));
   return basis;
