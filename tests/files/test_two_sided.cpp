@@ -17,9 +17,9 @@ using signorini_test::problem_message;
 
 namespace {
 
-TwoSidedProgramme from_file(const std::string& name) {
+TwoSidedProgramme from_file(const std::string& name, const char* folder = "maros_meszaros") {
   return std::get<TwoSidedProgramme>(read_problem(std::filesystem::path(SIGNORINI_TEST_DATA) /
-                                                  "maros_meszaros" / (name + ".txt")));
+                                                  folder / (name + ".txt")));
 }
 
 /// Two unknowns, P = diag(2, 4), and the rows: x1 free, 1 <= x1 <= 3, x1 + x2 = 2, x2 <= 5, x2 >= -7.
@@ -137,4 +137,13 @@ TEST_CASE("a programme that is not convex is refused, whatever its units", "[two
     CHECK_FALSE(one_sided(programme).definite);
     programme.lower(2) = 2;
   }
+}
+
+// Multipliers of equations that depend on each other may be of any size, and beside 1e300 no load is seen.
+TEST_CASE("a programme whose energy falls for ever is not solved by large multipliers", "[two_sided]") {
+  const OneSided form = one_sided(from_file("falls_for_ever", "found"));
+  CHECK_THAT(problem_message([&] {
+               static_cast<void>(solve(form.programme, find_solver("quasi_active_set")));
+             }),
+             ContainsSubstring("the energy has no least value"));
 }

@@ -274,6 +274,24 @@ TEST_CASE("a place without displacements is no solution where the energy falls f
   }
 }
 
+// A linear programme of which the equations leave nothing but 0, though one of them follows from others.
+TEST_CASE("a programme without a choice is solved, whatever its load", "[dense_programme]") {
+  DenseProgramme programme;
+  programme.stiffness.setZero(4, 4);
+  programme.load = (VectorXd(4) << 0, 0, -3, 5).finished();
+  programme.A.resize(8, 4);
+  programme.A << 4, -4, 3, -4, -3, -4, -1, -2, 4, -1, -1, -1, 3, -4, 3, -4, 4, 2, -1, -3, -3, -3, -4, 1,
+      4, -4, -3, 2, -2, -3, -2, -4;
+  programme.initial_gap = VectorXd::Zero(8);
+  programme.equations = 7;
+  for (const char* solver : {"quasi_active_set", "goldfarb_idnani"}) {
+    CAPTURE(solver);
+    const DenseSolution solution = solve(programme, find_solver(solver));
+    CHECK(solution.report.status == SolveStatus::Solved);
+    CHECK(solution.certificate.holds());
+  }
+}
+
 // Five equations of the rank 4, whose right sides are 0: nothing but 0 satisfies them. Of the last one elimination leaves rounding.
 TEST_CASE("equations whose right sides are 0 do not contradict each other", "[dense_programme]") {
   DenseProgramme programme;
