@@ -71,8 +71,8 @@ CholeskyFactor factored_with_enough(const DenseProgramme& programme, double spri
   }
 }
 
-/// Whether no place at all satisfies the equations, beyond rounding: where rounding of an elimination has no size to be compared with,
-/// the nearest place tells.
+/// Whether no displacements satisfy the equations, beyond rounding: those of least squares do not. Rounding that an elimination leaves of
+/// right sides of 0 has no size to be compared with.
 bool contradictory(const DenseProgramme& programme) {
   const MatrixXd E = programme.A.topRows(programme.equations);
   const VectorXd g = programme.initial_gap.head(programme.equations);
