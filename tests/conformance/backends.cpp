@@ -150,6 +150,11 @@ TEST_CASE("every back end: what it solves of a part is what it solves of all",
     const VectorXd u = factor.solve(load).tail(n);
     CHECK((part->solve(load.tail(n)) - u).norm() <= 1e-14 * u.norm());
     CHECK(part->solve_operations < factor.solve_operations());
+    const std::vector<Index> edge = {n, n + 3, 2 * n - 1};  // of which K joins each with others
+    const VectorXd lone = factor.part(edge)->solve(load(edge));
+    VectorXd pushed = VectorXd::Zero(2 * n);
+    pushed(edge) = load(edge);
+    CHECK((lone - factor.solve(pushed)(edge)).norm() <= 1e-14 * lone.norm());
   }
   Ledger ledger;
   CHECK(factored(reference(), two, random_rows(1, 2 * n, 1), ledger).part(second).has_value());

@@ -148,6 +148,18 @@ TEST_CASE("a part that nothing joins with others is solved alone to the same bit
     CHECK(operations >= factor.solve_operations());
     if (apart > 0) CHECK(operations <= 1.2 * factor.solve_operations());
   }
+  // Of a boundary alone the fronts above it are enough.
+  Placed held = a;
+  for (Index k = 0; k < held.K.cols(); ++k) held.K.coeffRef(k, k) *= 1.01;
+  const FrontalFactor whole = factored(held);
+  std::vector<Index> some;
+  for (Index k = 0; k < a.K.cols(); k += 1 + k) some.push_back(k);
+  const FrontalFactor::Part part = whole.part(some);
+  CHECK(part.solve_operations < whole.solve_operations());
+  const VectorXd load = random_vector(static_cast<Index>(some.size()), 3);
+  VectorXd all = VectorXd::Zero(a.K.cols());
+  all(some) = load;
+  CHECK(whole.solve(part, load) == VectorXd(whole.solve(all)(some)));
   const FrontalFactor factor = factored(signorini_test::random_matrix(9, 1, 1));
   CHECK_THROWS_AS(factor.part({9}), std::invalid_argument);
   CHECK_THROWS_AS(factor.part({-1}), std::invalid_argument);

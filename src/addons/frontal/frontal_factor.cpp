@@ -89,16 +89,22 @@ FrontalFactor::Columns FrontalFactor::columns(const Front& front) const {
 
 FrontalFactor::Part FrontalFactor::part(const std::vector<Index>& unknowns) const {
   Part part;
+  std::vector<char> taken(fronts_.all.size(), 0);
   for (const Index unknown : unknowns) {
     require_argument(unknown >= 0 && unknown < size(), "FrontalFactor::part: unknowns are 0 to ",
                      size() - 1, ", got ", unknown);
-    part.places.push_back(fronts_.place[static_cast<std::size_t>(unknown)]);
-    part.fronts.push_back(fronts_.front_at(part.places.back()));
+    part.places.push_back(fronts_.place[at(unknown)]);
+    int place = part.places.back();
+    while (place >= 0) {  // from its front to those above, which it hands on to
+      const int number = fronts_.front_at(place);
+      const Front& front = fronts_.front(number);
+      if (taken[at(number)]++ > 0) break;
+      part.fronts.push_back(number);
+      part.solve_operations += front.solve_operations();
+      place = front.boundary.empty() ? -1 : front.boundary.front();
+    }
   }
   std::sort(part.fronts.begin(), part.fronts.end());
-  part.fronts.erase(std::unique(part.fronts.begin(), part.fronts.end()), part.fronts.end());
-  for (const int number : part.fronts)
-    part.solve_operations += fronts_.front(number).solve_operations();
   return part;
 }
 

@@ -47,17 +47,18 @@ class FrontalFactor {
   /// Some unknowns, and what of the factor has to do with them.
   struct Part {
     std::vector<int> places;      ///< of the unknowns in the order of elimination
-    std::vector<int> fronts;      ///< that eliminate one of them, rising
+    std::vector<int> fronts;      ///< that eliminate one of them, and those above, rising
     double solve_operations = 0;  ///< of one solve() with these fronts
   };
-  /// Finds the fronts of unknowns that no entry of K joins with others.
+  /// Finds the fronts from some unknowns up to the root. Those below know nothing of loads on these unknowns, and none of these asks
+  /// them.
   /// \param unknowns  each once
   /// \return the part
   /// \throws std::invalid_argument if there is no such unknown
   [[nodiscard]] Part part(const std::vector<Eigen::Index>& unknowns) const;
   /// Solves K u = p for a part, whose fronts alone it walks through: the same bits as solve() with no other load.
   /// \param part  from part()
-  /// \param load  p of its unknowns [force]
+  /// \param load  p of its unknowns, the others have none [force]
   /// \return u of them [length]
   /// \throws std::invalid_argument unless there is one entry per unknown of the part
   [[nodiscard]] Eigen::VectorXd solve(const Part& part,

@@ -17,11 +17,16 @@
 
 #include "addons/motion/corrected_solve.hpp"
 
+#include <algorithm>
 #include <limits>
+#include <optional>
 #include <utility>
 
+#include "addons/motion/moved_pairs.hpp"
 #include "signorini/core/dense.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/problem/active_set_system.hpp"
+#include "signorini/problem/certificate.hpp"
 #include "signorini/scene/motions.hpp"
 #include "signorini/scene/ways.hpp"
 #include "signorini/solvers/portfolio.hpp"
@@ -31,41 +36,31 @@ namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
-/// A factor costs as much as a dozen solves with it, and a correction two of them and a search: more of them cost more than
-/// the iteration that they save.
-constexpr Index most_corrections = 6;
+/// A correction walks through the part of the factor that contact knows, twice, and searches: more of them cost more than the
+/// iteration that they save.
+constexpr Index most_corrections = 12;
 
-/// Of a way that is this near to its own load an iteration leaves as much as the next one of Newton's method can mend.
-constexpr double near_enough = 0.01;
+/// A way of the length e, in sizes of the smallest body, leaves about \f$ e^2 \f$ since the equations are not linear along it. It is
+/// near enough to its own load if that leaves no more, nor more than a tenth of what a certificate counts as zero. A thousandth is
+/// asked of long ways, too: a body that is about to lose its stability takes what is left over for a push. Ways of more than 1 lead
+/// nowhere.
+/// \return which part of the way its load may miss [-]
+double near_enough(double length) {
+  return std::min(0.001, std::max(length, certificate_tolerance / (10 * length)));
+}
 
 /// Means that leave more than this of what the first way left have not come nearer: the next would not either, and a load that is as
 /// wrong as none is dropped.
 constexpr double come_nearer = 0.5;
 
-/// What a method says of a linear problem, before anything is refined.
-struct FirstAnswer {
-  VectorXd way = {};    ///< d; empty: it was not solved
-  VectorXd force = {};  ///< lambda and tau
-  std::vector<ContactStatus> statuses = {};
-};
-
-FirstAnswer first_answer(const Model& model, const Condensed& condensed, const SolverOptions& options,
-              Ledger& ledger) {
-  const ContactState state = in_these_units(condensed.problem, [&] {
-    return solve(condensed.problem, Solver(model.solver).before({}), options);
-  });
-  ledger.count("claims", 1);
-  if (state.report.status != SolveStatus::Solved) return {};
-  VectorXd force = all_forces(state);
-  VectorXd way =
-      condensed.factor.solve(model.programme.load - model.programme.A.transpose() * force);
-  if (state.amplitude.size() > 0) way += mode_shapes(model.modes) * state.amplitude;
-  return {std::move(way), std::move(force), state.contact_status};
-}
-
-void put_load(VectorXd load, Model& model, Condensed& condensed) {
-  model.programme.load = std::move(load);
-  move_freely(model, condensed.factor.solve(model.programme.load), condensed);
+/// Solves for some unknowns. \param condensed  must outlive it
+Factor::Solve solve_of(const std::vector<Index>& own, const Condensed& condensed) {
+  if (std::optional<Factor::Part> part = condensed.factor.part(own)) return std::move(part->solve);
+  return [&](const Eigen::Ref<const VectorXd>& load) -> VectorXd {
+    VectorXd all = VectorXd::Zero(condensed.factor.size());
+    all(own) = load;
+    return condensed.factor.solve(all)(own);
+  };
 }
 
 /// The weights, adding up to 1, with which columns leave least.
@@ -79,42 +74,64 @@ VectorXd weights_of_least(const MatrixXd& left) {
   return weights;
 }
 
+/// Puts what forces lack that turn with the way into p. Free displacements of other unknowns may wait for the end: no pair knows of them.
+/// \return whether the way came closer to its own load; else p is as it was
+bool add_turned(const TurnedForces& turned, Model& model, SolverOptions& options, Condensed& condensed,
+                Ledger& ledger) {
+  const Ledger::Phase phase(ledger, "corrections");
+  const std::vector<Index>& own = turned.unknowns;
+  const Factor::Solve solve_own = solve_of(own, condensed);
+  const MatrixXd modes = model.modes.empty() ? MatrixXd() : MatrixXd(mode_shapes(model.modes)(own, Eigen::all));
+  const VectorXd load = model.programme.load;
+  const VectorXd free = condensed.free_displacement;
+  const double size = smallest_size(model);
+  MatrixXd ways(own.size(), most_corrections), left = ways, loads = ways;
+  VectorXd guess = VectorXd::Zero(ways.rows());
+  double last = 0, length = 0;
+  for (Index k = 0; k < most_corrections; ++k) {
+    const ContactState state = in_these_units(condensed.problem, [&] {
+      return solve(condensed.problem, Solver(model.solver).before({}), options);
+    });
+    ledger.count("claims", 1);
+    last = std::numeric_limits<double>::infinity();
+    if (state.report.status != SolveStatus::Solved) break;
+    const VectorXd force = all_forces(state);
+    const VectorXd push = model.programme.A.transpose() * force;
+    ways.col(k) = condensed.free_displacement(own) - solve_own(push(own));
+    if (state.amplitude.size() > 0) ways.col(k) += modes * state.amplitude;
+    left.col(k) = ways.col(k) - guess;
+    last = left.col(k).norm();
+    length = largest(ways.col(k)) / size;
+    if (!(length <= 1) || last <= near_enough(length) * ways.col(k).norm()) break;
+    loads.col(k) = turned.along(ways.col(k), force);
+    options.start = state.contact_status;
+    const VectorXd weights = weights_of_least(left.leftCols(k + 1));
+    guess = ways.leftCols(k + 1) * weights;
+    const VectorXd lacking = loads.leftCols(k + 1) * weights;
+    model.programme.load(own) = load(own) + lacking;
+    VectorXd there = free;
+    there(own) += solve_own(lacking);
+    move_freely(model, std::move(there), condensed);
+  }
+  if (guess.isZero(0)) return length <= 1;
+  const bool closer = last <= come_nearer * left.col(0).norm();
+  if (!closer) {
+    model.programme.load = load;
+    ledger.count("dropped", 1);
+  }
+  move_freely(model, condensed.factor.solve(model.programme.load), condensed);
+  return closer;
+}
+
 }  // namespace
 
 Corrected corrected_solve(Model& model, const TurnedForces& turned, SolverOptions options,
                           Condensed& condensed, Ledger ledger) {
-  if (!turned) return {solve(model, condensed, model.solver, std::move(ledger), options)};
-  bool closer = true;
   const VectorXd load = model.programme.load;
-  {
-    const Ledger::Phase phase(ledger, "corrections");
-    MatrixXd ways(load.size(), most_corrections);
-    MatrixXd left(load.size(), most_corrections);
-    MatrixXd loads(load.size(), most_corrections);
-    VectorXd guess = VectorXd::Zero(load.size());
-    double last = 0;
-    for (Index k = 0; k < most_corrections; ++k) {
-      const FirstAnswer answer = first_answer(model, condensed, options, ledger);
-      const bool found = answer.way.size() > 0;
-      if (found) left.col(k) = answer.way - guess;
-      last = found ? left.col(k).norm() : std::numeric_limits<double>::infinity();
-      if (!found || last <= near_enough * answer.way.norm()) break;
-      ways.col(k) = answer.way;
-      loads.col(k) = turned(answer.way, answer.force);
-      options.start = answer.statuses;
-      const VectorXd weights = weights_of_least(left.leftCols(k + 1));
-      guess = ways.leftCols(k + 1) * weights;
-      put_load(load + loads.leftCols(k + 1) * weights, model, condensed);
-    }
-    closer = guess.isZero(0) || last <= come_nearer * left.col(0).norm();
-    if (!closer) {
-      put_load(load, model, condensed);
-      ledger.count("dropped", 1);
-    }
-  }
-  Solution solution = solve(model, condensed, model.solver, std::move(ledger), options);
+  const bool closer = turned.unknowns.empty() || add_turned(turned, model, options, condensed, ledger);
+  Corrected corrected{solve(model, condensed, model.solver, std::move(ledger), options), closer};
   model.programme.load = load;
-  return {std::move(solution), closer};
+  return corrected;
 }
 
 }  // namespace signorini

@@ -13,6 +13,7 @@
 #include "addons/motion/law_limits.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -26,13 +27,20 @@ using Eigen::Index;
 
 double least_wave_stiffness(const StressResponse& response) {
   // Between two of them lie 6 degrees: of a least value in the middle the cosine of 3 degrees is missed, .1 %.
-  constexpr int directions = 32;
+  static const std::array<Eigen::Vector2d, 32> directions = [] {
+    std::array<Eigen::Vector2d, 32> all;
+    for (std::size_t k = 0; k < all.size(); ++k)
+      all[k] = {std::cos(pi * k / all.size()), std::sin(pi * k / all.size())};
+    return all;
+  }();
   double least = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < directions; ++k) {
-    const Eigen::Vector2d n(std::cos(pi * k / directions), std::sin(pi * k / directions));
+  for (const Eigen::Vector2d& n : directions) {
     const auto along = [&](Index i, Index j) { return n.dot(response.tangent.block<2, 2>(2 * i, 2 * j) * n); };
-    least = std::min(least, (along(0, 0) + along(1, 1)) / 2 -
-                                std::hypot((along(0, 0) - along(1, 1)) / 2, along(0, 1)));
+    const double mean = (along(0, 0) + along(1, 1)) / 2;
+    const double half = (along(0, 0) - along(1, 1)) / 2;
+    const double askew = along(0, 1);
+    if (mean - std::abs(half) - std::abs(askew) < least)  // else it is not the least, and needs no root
+      least = std::min(least, mean - std::hypot(half, askew));
   }
   return least;
 }

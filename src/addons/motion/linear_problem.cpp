@@ -25,6 +25,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -50,7 +51,7 @@ struct Rung {
 
 constexpr std::array<Rung, 7> ladder = {
     {{40, 0}, {400, 0}, {4000, 0}, {40, 1e-6}, {40, 1e-4}, {40, 1e-2}, {40, 1e-1}}};
-constexpr std::size_t stiff_springs = 5;  // these make ways short; weaker ones are on the right as well
+constexpr std::size_t stiff_springs = 6;  // these make ways short; weaker ones are on the right as well
 
 /// Makes \f$ \rho A_c^T A_c \f$, which belongs to K, and adds \f$ \rho A_c^T g_c \f$ to p. Where one of the rows c is about to open it resists
 /// a little, as a spring that is at rest where it holds.
@@ -61,12 +62,19 @@ Eigen::SparseMatrix<double> hold_by_pairs(const std::vector<Index>& rows, double
   return stiffness * (held.transpose() * held);
 }
 
-/// What turning contact forces, and weak springs, lack. While supports are on their way nothing turns yet, and springs shorten the way.
+/// What turning contact forces, and weak springs, lack: these of all unknowns. While supports are on their way nothing turns yet, and
+/// springs shorten the way.
 TurnedForces lacking(const TangentProblem& problem, std::size_t rung, double spring) {
-  if (rung < weak_springs || rung >= stiff_springs || !problem.turned) return problem.turned;
-  return [&problem, spring](const VectorXd& way, const VectorXd& force) -> VectorXd {
-    return problem.turned(way, force) + spring * way;
+  TurnedForces lack = problem.turned;
+  if (rung < weak_springs || rung >= stiff_springs || !lack.along) return lack;
+  lack.unknowns.resize(at(problem.model.unknowns.count));
+  std::iota(lack.unknowns.begin(), lack.unknowns.end(), 0);
+  lack.along = [&turned = problem.turned, spring](const VectorXd& way, const VectorXd& force) {
+    VectorXd load = spring * way;
+    load(turned.unknowns) += turned.along(way(turned.unknowns), force);
+    return load;
   };
+  return lack;
 }
 
 /// One try. \return nothing if K has no factor

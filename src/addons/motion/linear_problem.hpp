@@ -24,7 +24,7 @@ inline constexpr std::size_t weak_springs = 3;
 struct TangentProblem {
   Model& model;  ///< placed, with K and p of the iteration, which it keeps
   const std::vector<Eigen::Index>& held;  ///< rows that held last, see held_rows()
-  const TurnedForces& turned;    ///< how contact forces turn; empty: they do not
+  const TurnedForces& turned;    ///< how contact forces turn
   const SolverOptions& options;  ///< for the solver
   std::size_t& rung;  ///< of the ladder, to begin with; becomes the one that held
 };

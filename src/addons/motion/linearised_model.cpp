@@ -10,6 +10,7 @@
 #include "addons/motion/linearised_model.hpp"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "addons/equations/take_equations.hpp"
@@ -118,18 +119,26 @@ Displaced LinearisedModel::ahead(const PrimalDual& way, double share) const {
   return there;
 }
 
-VectorXd LinearisedModel::turned(const VectorXd& way, const VectorXd& force, double look) const {
-  const double share = std::min(1.0, look / largest(way));
-  Model there = without_stiffness(model_);
-  try {
-    place_(ahead({way, {}, {}}, share), before_, there);
-  } catch (const ProblemError&) {
-    return VectorXd::Zero(way.size());
-  }
+TurnedForces LinearisedModel::turned(double look) const {
   const Eigen::SparseMatrix<double, Eigen::RowMajor>& A = model_.programme.A;
-  if (there.programme.A.rows() != A.rows() || names_of_pairs(there) != names_of_pairs(model_))
-    return VectorXd::Zero(way.size());
-  return (A - there.programme.A).transpose() * force / share;
+  const std::set<Index> joined(A.innerIndexPtr(), A.innerIndexPtr() + A.nonZeros());
+  const std::vector<Index> own(joined.begin(), joined.end());
+  const auto along = [this, &A, own, look, there = without_stiffness(model_)](
+                         const VectorXd& way, const VectorXd& force) mutable -> VectorXd {
+    VectorXd all = VectorXd::Zero(A.cols());
+    all(own) = way;
+    const double share = std::min(1.0, look / largest(way));
+    try {
+      place_(ahead({all, {}, {}}, share), before_, there);
+    } catch (const ProblemError&) {
+      return VectorXd::Zero(way.size());
+    }
+    if (there.programme.A.rows() != A.rows() || names_of_pairs(there) != names_of_pairs(model_))
+      return VectorXd::Zero(way.size());
+    const VectorXd load = (A - there.programme.A).transpose() * force;
+    return load(own) / share;
+  };
+  return {own, along};
 }
 
 Certificate LinearisedModel::certificate(const Solution& solution) const {

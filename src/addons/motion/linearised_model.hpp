@@ -5,6 +5,7 @@
 #include <Eigen/SparseCore>
 
 #include "addons/motion/body_answers.hpp"
+#include "addons/motion/corrected_solve.hpp"
 #include "addons/motion/moving_step.hpp"
 
 namespace signorini {
@@ -29,12 +30,10 @@ class LinearisedModel {
   [[nodiscard]] Displaced ahead(const PrimalDual& way, double share) const;
 
   /// How contact forces turn on the way, with all of it what supports still have to give: the pairs are found a little ahead.
-  /// \param way    d `n` of the unknowns [length]
-  /// \param force  `n_c + n_s` lambda and tau of the pairs [force]
-  /// \param look   how far ahead at most [length]
-  /// \return the change of \f$ N^T\lambda + S^T\tau \f$ along d `n`, to first order; 0 if there are other pairs ahead [force]
-  [[nodiscard]] Eigen::VectorXd turned(const Eigen::VectorXd& way, const Eigen::VectorXd& force,
-                                       double look) const;
+  /// \param look  how far ahead at most [length]
+  /// \return the change of \f$ N^T\lambda + S^T\tau \f$ along a way, to first order, of the unknowns that rows of pairs have; 0 if there
+  ///   are other pairs ahead. It asks this place, which must not move meanwhile
+  [[nodiscard]] TurnedForces turned(double look) const;
 
   /// \param solution  of a linear problem with the same pairs
   /// \return its certificate if its forces are those of the equations here, and nothing more is to move

@@ -39,6 +39,24 @@ constexpr int most_iterations = 60;
 /// are then about equal.
 constexpr double root_of_rounding = 1e-8;
 
+/// Gaps of open pairs and slips of those that move, as they are where the bodies stand: the linear problem has foreseen them.
+void read_movements(const VectorXd& movement, ContactState& contact) {
+  VectorXd gap = movement.head(contact.gap.size());
+  for (const Index pair : contact.active()) gap(pair) = contact.gap(pair);
+  contact.gap = std::move(gap);
+  for (Index k = 0; k < contact.slip.size(); ++k)
+    if (status_of_slip(contact, k) != ContactStatus::Stick)
+      contact.slip(k) = movement(contact.gap.size() + k);
+}
+
+std::string why_not_ended(const std::string& reason, const std::string& indefinite) {
+  if (!indefinite.empty()) return indefinite;
+  if (!reason.empty()) return text("the bodies cannot come to stand where the last iteration leads: ", reason);
+  return text("the equations of where the bodies come to stand did not hold after ",
+              most_iterations,
+              " iterations: take shorter steps, and the softer and finer side as the source");
+}
+
 /// A step while it is solved.
 struct Moving {
   const Displaced& before;
@@ -53,160 +71,128 @@ struct Moving {
   int iteration = 0;                 ///< that is made
   std::size_t rung = 0;              ///< of the ladder of tangents, that held last
 
-  [[nodiscard]] TurnedForces turned_forces() const;
-  Solution linear_problem();
-  bool goes_to(const Solution& solution);
-  [[nodiscard]] bool holds_here(Solution& solution, const std::vector<PairName>& names,
-                                const std::vector<Index>& frictional) const;
-  void hand_on(const std::vector<PairName>& names, const std::vector<ContactStatus>& statuses);
-  void begin(const VectorXd& expected);
-  bool ends(Solution& solution);
-  void restore() const;
-  Solution solved(const VectorXd& expected);
-};
-
-/// None at rest, where the linear problem is that of the scene, and none while supports still move: that way may be longer than the
-/// sides that it passes, and what forces do at its beginning does not tell what they do at its end.
-TurnedForces Moving::turned_forces() const {
-  if (place.at_rest() || !place.arrived()) return {};
-  return [this](const VectorXd& way, const VectorXd& force) {
-    return place.turned(way, force, root_of_rounding * smallest_size(model));
-  };
-}
-
-/// With the factor of the scene as long as that is the one of K, and of a scene whose supports leave no unknown.
-Solution Moving::linear_problem() {
-  const bool rest = place.at_rest();
-  const TurnedForces turned = turned_forces();
-  if (rest || !place.finite() || model.unknowns.count == 0) {
-    condensed.factor = factor;
-    VectorXd free = rest ? std::exchange(condensed.free_displacement, {})
-                         : factor.solve(model.programme.load);
-    condensed.problem.law = model.law;
-    {
-      const Ledger::Phase phase(ledger, "compliance");  // as often as pairs are found
-      condensed.problem.compliance = factor.compliance(model.programme.A, ledger);
-    }
-    move_freely(model, std::move(free), condensed);
-    Solution solution =
-        corrected_solve(model, turned, options, condensed, std::move(ledger)).solution;
-    if (!rest || !held.empty() || solution.contact.unbounded_direction.size() == 0) return solution;
-    ledger = std::move(solution.ledger);
+  /// None at rest, where the linear problem is that of the scene, and none while supports still move: that way may be longer than the
+  /// sides that it passes, and what forces do at its beginning does not tell what they do at its end.
+  [[nodiscard]] TurnedForces turned_forces() const {
+    if (place.at_rest() || !place.arrived()) return {};
+    return place.turned(root_of_rounding * smallest_size(model));
   }
-  return solve_with_tangent({model, held, turned, options, rung}, condensed, std::move(ledger));
-}
 
-/// Goes where a solution has the bodies, or on the way there as far as pairs can be found and no cell inverts.
-bool Moving::goes_to(const Solution& solution) {
-  double share = 1;
-  for (int halved = 0; halved <= model.path.halvings; ++halved, share /= 2) try {
-      place.move(place.ahead(solution.refined, share), ledger);
-      reason.clear();
-      return true;
-    } catch (const ProblemError& error) {
-      reason = error.what();
+  /// With the factor of the scene as long as that is the one of K, and of a scene whose supports leave no unknown.
+  Solution linear_problem() {
+    const bool rest = place.at_rest();
+    const TurnedForces turned = turned_forces();
+    if (rest || !place.finite() || model.unknowns.count == 0) {
+      condensed.factor = factor;
+      VectorXd free = rest ? std::exchange(condensed.free_displacement, {})
+                           : factor.solve(model.programme.load);
+      condensed.problem.law = model.law;
+      {
+        const Ledger::Phase phase(ledger, "compliance");  // as often as pairs are found
+        condensed.problem.compliance = factor.compliance(model.programme.A, ledger);
+      }
+      move_freely(model, std::move(free), condensed);
+      Solution solution =
+          corrected_solve(model, turned, options, condensed, std::move(ledger)).solution;
+      if (!rest || !held.empty() || solution.contact.unbounded_direction.size() == 0) return solution;
+      ledger = std::move(solution.ledger);
     }
-  return false;
-}
+    return solve_with_tangent({model, held, turned, options, rung}, condensed, std::move(ledger));
+  }
 
-/// Gaps of open pairs and slips of those that move, as they are where the bodies stand: the linear problem has foreseen them.
-void read_movements(const VectorXd& movement, ContactState& contact) {
-  VectorXd gap = movement.head(contact.gap.size());
-  for (const Index pair : contact.active()) gap(pair) = contact.gap(pair);
-  contact.gap = std::move(gap);
-  for (Index k = 0; k < contact.slip.size(); ++k)
-    if (status_of_slip(contact, k) != ContactStatus::Stick)
-      contact.slip(k) = movement(contact.gap.size() + k);
-}
+  /// Goes where a solution has the bodies, or on the way there as far as pairs can be found and no cell inverts.
+  bool goes_to(const Solution& solution) {
+    double share = 1;
+    for (int halved = 0; halved <= model.path.halvings; ++halved, share /= 2) try {
+        place.move(place.ahead(solution.refined, share), ledger);
+        reason.clear();
+        return true;
+      } catch (const ProblemError& error) {
+        reason = error.what();
+      }
+    return false;
+  }
 
-/// Whether what was solved, with these pairs, holds of the equations that are found where it leads to.
-bool Moving::holds_here(Solution& solution, const std::vector<PairName>& names,
-                        const std::vector<Index>& frictional) const {
-  if (names_of_pairs(model) != names || model.law.pair != frictional) return false;
-  const Certificate here = place.certificate(solution);
-  if (!here.holds()) return false;
-  solution.certificate = here;
-  read_movements(model.programme.initial_gap, solution.contact);
-  solution.pressure = solution.contact.force.cwiseQuotient(model.pairs.weight);
-  return true;
-}
+  /// Whether what was solved, with these pairs, holds of the equations that are found where it leads to.
+  bool holds_here(Solution& solution, const std::vector<PairName>& names,
+                  const std::vector<Index>& frictional) const {
+    if (names_of_pairs(model) != names || model.law.pair != frictional) return false;
+    const Certificate here = place.certificate(solution);
+    if (!here.holds()) return false;
+    solution.certificate = here;
+    read_movements(model.programme.initial_gap, solution.contact);
+    solution.pressure = solution.contact.force.cwiseQuotient(model.pairs.weight);
+    return true;
+  }
 
-std::string why_not_ended(const std::string& reason, const std::string& indefinite) {
-  if (!indefinite.empty()) return indefinite;
-  if (!reason.empty()) return text("the bodies cannot come to stand where the last iteration leads: ", reason);
-  return text("the equations of where the bodies come to stand did not hold after ",
-              most_iterations,
-              " iterations: take shorter steps, and the softer and finer side as the source");
-}
+  /// What is known of the pairs that were, for those that are now.
+  void hand_on(const std::vector<PairName>& names, const std::vector<ContactStatus>& statuses) {
+    const std::vector<Index> same = numbers_among(names, names_of_pairs(model));
+    options.start.assign(same.size(), ContactStatus::Open);
+    for (std::size_t k = 0; k < same.size(); ++k)
+      if (same[k] >= 0) options.start[k] = statuses[static_cast<std::size_t>(same[k])];
+    held = held_rows(options.start, model.law);
+  }
 
-/// What is known of the pairs that were, for those that are now.
-void Moving::hand_on(const std::vector<PairName>& names,
-                     const std::vector<ContactStatus>& statuses) {
-  const std::vector<Index> same = numbers_among(names, names_of_pairs(model));
-  options.start.assign(same.size(), ContactStatus::Open);
-  for (std::size_t k = 0; k < same.size(); ++k)
-    if (same[k] >= 0) options.start[k] = statuses[static_cast<std::size_t>(same[k])];
-  held = held_rows(options.start, model.law);
-}
+  /// Goes to where the unknowns are expected, if pairs can be found there and no cell inverts; else the step begins where the last one
+  /// ended.
+  void begin(const VectorXd& expected) {
+    if (expected.size() > 0) try {
+        const std::vector<PairName> names = names_of_pairs(model);
+        place.move(place.ahead({expected, {}, {}}, 1), ledger);
+        return hand_on(names, std::vector<ContactStatus>(options.start));
+      } catch (const ProblemError&) {
+      }
+    place.move(before, ledger);
+  }
 
-/// Goes to where the unknowns are expected, if pairs can be found there and no cell inverts; else the step begins where the last one
-/// ended.
-void Moving::begin(const VectorXd& expected) {
-  if (expected.size() > 0) try {
+  /// Iterations until one holds. \return whether one did
+  bool ends(Solution& solution) {
+    while (++iteration <= most_iterations) {
       const std::vector<PairName> names = names_of_pairs(model);
-      place.move(place.ahead({expected, {}, {}}, 1), ledger);
-      return hand_on(names, std::vector<ContactStatus>(options.start));
+      const std::vector<Index> frictional = model.law.pair;
+      solution = linear_problem();
+      ledger = std::move(solution.ledger);
+      if (solution.contact.report.status != SolveStatus::Solved) return false;
+      if (!goes_to(solution)) {
+        held = held_rows(solution.contact.contact_status, model.law);
+        break;
+      }
+      if (holds_here(solution, names, frictional)) return true;
+      hand_on(names, solution.contact.contact_status);
+    }
+    solution.contact.report.status = SolveStatus::IterationLimit;
+    solution.contact.reason = why_not_ended(reason, why_indefinite(model, held, rung));
+    return false;
+  }
+
+  /// The first step may be tried again, from rest, and any step after it failed.
+  void restore() const {
+    condensed.factor = factor;
+    place.restore();
+  }
+
+  Solution solved(const VectorXd& expected) {
+    Solution solution;
+    try {
+      begin(expected);
+      if (ends(solution)) {
+        place.conclude(solution);
+        check_rotations(model, solution);
+        if (solution.contact.active().empty() && model.modes.empty() && rung >= weak_springs)
+          solution.notes.push_back("the equilibrium is unstable, a small push leads elsewhere: the tangent is indefinite, where " + most_shortened(model));
+        if (solution.contact.report.status == SolveStatus::Solved)
+          check_solution(model, condensed, solution);
+      }
     } catch (const ProblemError&) {
+      restore();
+      throw;
     }
-  place.move(before, ledger);
-}
-
-/// Iterations until one holds. \return whether one did
-bool Moving::ends(Solution& solution) {
-  while (++iteration <= most_iterations) {
-    const std::vector<PairName> names = names_of_pairs(model);
-    const std::vector<Index> frictional = model.law.pair;
-    solution = linear_problem();
-    ledger = std::move(solution.ledger);
-    if (solution.contact.report.status != SolveStatus::Solved) return false;
-    if (!goes_to(solution)) {
-      held = held_rows(solution.contact.contact_status, model.law);
-      break;
-    }
-    if (holds_here(solution, names, frictional)) return true;
-    hand_on(names, solution.contact.contact_status);
-  }
-  solution.contact.report.status = SolveStatus::IterationLimit;
-  solution.contact.reason = why_not_ended(reason, why_indefinite(model, held, rung));
-  return false;
-}
-
-/// The first step may be tried again, from rest, and any step after it failed.
-void Moving::restore() const {
-  condensed.factor = factor;
-  place.restore();
-}
-
-Solution Moving::solved(const VectorXd& expected) {
-  Solution solution;
-  try {
-    begin(expected);
-    if (ends(solution)) {
-      place.conclude(solution);
-      check_rotations(model, solution);
-      if (solution.contact.active().empty() && model.modes.empty() && rung >= weak_springs)
-        solution.notes.push_back("the equilibrium is unstable, a small push leads elsewhere: the tangent is indefinite, where " + most_shortened(model));
-      if (solution.contact.report.status == SolveStatus::Solved)
-        check_solution(model, condensed, solution);
-    }
-  } catch (const ProblemError&) {
     restore();
-    throw;
+    solution.ledger = std::move(ledger);
+    return solution;
   }
-  restore();
-  solution.ledger = std::move(ledger);
-  return solution;
-}
+};
 
 }  // namespace
 

@@ -42,7 +42,7 @@ class Factor {
   using Solve = std::function<Eigen::VectorXd(const Eigen::Ref<const Eigen::VectorXd>&)>;
   /// A K^-1 A^T, counted.
   using Compliance = std::function<Eigen::MatrixXd(const Rows&, Ledger&)>;
-  /// Unknowns that no entry of K joins with others, alone.
+  /// Some unknowns, which alone have loads, and whose displacements alone are asked for.
   struct Part {
     Solve solve;                  ///< u of K u = p, both of these unknowns
     double solve_operations = 0;  ///< of one solve()
@@ -76,9 +76,9 @@ class Factor {
   /// \return `n` u [length]
   /// \throws std::invalid_argument unless there is one entry per unknown
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::Ref<const Eigen::VectorXd>& load) const;
-  /// Solves that walk through their own part of the factor, and only that; the same numbers as solve() without other
-  /// loads. A back end without such solves has to be asked for all unknowns.
-  /// \param unknowns  each once, that no entry of K joins with others
+  /// Solves that walk through the part of the factor that some unknowns know, and only that; the same numbers as solve() without
+  /// other loads. A back end without such solves has to be asked for all unknowns.
+  /// \param unknowns  each once
   /// \return what solves for them; nothing if the back end cannot
   /// \throws std::invalid_argument if there is no such unknown
   [[nodiscard]] std::optional<Part> part(const std::vector<Eigen::Index>& unknowns) const;
