@@ -89,7 +89,7 @@ FrontalFactor::Columns FrontalFactor::columns(const Front& front) const {
 
 FrontalFactor::Part FrontalFactor::part(const std::vector<Index>& unknowns) const {
   Part part;
-  std::vector<char> taken(fronts_.all.size(), 0);
+  std::vector<bool> taken(fronts_.all.size(), false);
   for (const Index unknown : unknowns) {
     require_argument(unknown >= 0 && unknown < size(), "FrontalFactor::part: unknowns are 0 to ",
                      size() - 1, ", got ", unknown);
@@ -98,7 +98,8 @@ FrontalFactor::Part FrontalFactor::part(const std::vector<Index>& unknowns) cons
     while (place >= 0) {  // from its front to those above, which it hands on to
       const int number = fronts_.front_at(place);
       const Front& front = fronts_.front(number);
-      if (taken[at(number)]++ > 0) break;
+      if (taken[at(number)]) break;
+      taken[at(number)] = true;
       part.fronts.push_back(number);
       part.solve_operations += front.solve_operations();
       place = front.boundary.empty() ? -1 : front.boundary.front();

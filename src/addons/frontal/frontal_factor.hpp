@@ -50,8 +50,7 @@ class FrontalFactor {
     std::vector<int> fronts;      ///< that eliminate one of them, and those above, rising
     double solve_operations = 0;  ///< of one solve() with these fronts
   };
-  /// Finds the fronts from some unknowns up to the root. Those below know nothing of loads on these unknowns, and none of these asks
-  /// them.
+  /// Finds the fronts from some unknowns up to the root. Those below have no load, and their displacements are not needed.
   /// \param unknowns  each once
   /// \return the part
   /// \throws std::invalid_argument if there is no such unknown

@@ -36,30 +36,31 @@ namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
-/// A correction walks through the part of the factor that contact knows, twice, and searches: more of them cost more than the
-/// iteration that they save.
+/// A correction walks twice through the part of the factor above the unknowns of contact, and searches: more of them cost more than
+/// the iteration that they save.
 constexpr Index most_corrections = 12;
 
 /// A way of the length e, in sizes of the smallest body, leaves about \f$ e^2 \f$ since the equations are not linear along it. It is
 /// near enough to its own load if that leaves no more, nor more than a tenth of what a certificate counts as zero. A thousandth is
-/// asked of long ways, too: a body that is about to lose its stability takes what is left over for a push. Ways of more than 1 lead
-/// nowhere.
+/// asked of long ways, too: a body that is about to lose its stability takes what is left over for a push.
 /// \return which part of the way its load may miss [-]
 double near_enough(double length) {
-  return std::min(0.001, std::max(length, certificate_tolerance / (10 * length)));
+  return std::max(std::min(length, 0.001), certificate_tolerance / (10 * length));
 }
 
 /// Means that leave more than this of what the first way left have not come nearer: the next would not either, and a load that is as
 /// wrong as none is dropped.
 constexpr double come_nearer = 0.5;
 
-/// Solves for some unknowns. \param condensed  must outlive it
-Factor::Solve solve_of(const std::vector<Index>& own, const Condensed& condensed) {
-  if (std::optional<Factor::Part> part = condensed.factor.part(own)) return std::move(part->solve);
-  return [&](const Eigen::Ref<const VectorXd>& load) -> VectorXd {
-    VectorXd all = VectorXd::Zero(condensed.factor.size());
+/// Solves for some unknowns. Both must outlive it.
+Factor::Solve solve_of(const std::vector<Index>& own, const Factor& factor) {
+  const bool some = static_cast<Index>(own.size()) < factor.size();
+  if (std::optional<Factor::Part> part = some ? factor.part(own) : std::nullopt)
+    return std::move(part->solve);
+  return [&own, &factor](const Eigen::Ref<const VectorXd>& load) -> VectorXd {
+    VectorXd all = VectorXd::Zero(factor.size());
     all(own) = load;
-    return condensed.factor.solve(all)(own);
+    return factor.solve(all)(own);
   };
 }
 
@@ -74,20 +75,22 @@ VectorXd weights_of_least(const MatrixXd& left) {
   return weights;
 }
 
-/// Puts what forces lack that turn with the way into p. Free displacements of other unknowns may wait for the end: no pair knows of them.
-/// \return whether the way came closer to its own load; else p is as it was
+/// Adds to p the forces that turn with the way. Free displacements of other unknowns are updated at the end only: no row of A has them.
+/// A way is long if it leads farther than the smallest body is large: a tangent of rounding has such ways.
+/// \return whether the way is not long and came closer to its own load, or is its own load; else p is as it was
 bool add_turned(const TurnedForces& turned, Model& model, SolverOptions& options, Condensed& condensed,
                 Ledger& ledger) {
   const Ledger::Phase phase(ledger, "corrections");
   const std::vector<Index>& own = turned.unknowns;
-  const Factor::Solve solve_own = solve_of(own, condensed);
+  const Factor::Solve solve_own = solve_of(own, condensed.factor);
   const MatrixXd modes = model.modes.empty() ? MatrixXd() : MatrixXd(mode_shapes(model.modes)(own, Eigen::all));
   const VectorXd load = model.programme.load;
   const VectorXd free = condensed.free_displacement;
   const double size = smallest_size(model);
   MatrixXd ways(own.size(), most_corrections), left = ways, loads = ways;
   VectorXd guess = VectorXd::Zero(ways.rows());
-  double last = 0, length = 0;
+  double last = 0;
+  bool away = false;
   for (Index k = 0; k < most_corrections; ++k) {
     const ContactState state = in_these_units(condensed.problem, [&] {
       return solve(condensed.problem, Solver(model.solver).before({}), options);
@@ -101,9 +104,11 @@ bool add_turned(const TurnedForces& turned, Model& model, SolverOptions& options
     if (state.amplitude.size() > 0) ways.col(k) += modes * state.amplitude;
     left.col(k) = ways.col(k) - guess;
     last = left.col(k).norm();
-    length = largest(ways.col(k)) / size;
-    if (!(length <= 1) || last <= near_enough(length) * ways.col(k).norm()) break;
+    const double length = largest(ways.col(k)) / size;
+    if (last <= near_enough(length) * ways.col(k).norm()) break;
     loads.col(k) = turned.along(ways.col(k), force);
+    away = !(length <= 1) && !loads.col(k).isZero(0);
+    if (!(length <= 1)) break;
     options.start = state.contact_status;
     const VectorXd weights = weights_of_least(left.leftCols(k + 1));
     guess = ways.leftCols(k + 1) * weights;
@@ -113,8 +118,8 @@ bool add_turned(const TurnedForces& turned, Model& model, SolverOptions& options
     there(own) += solve_own(lacking);
     move_freely(model, std::move(there), condensed);
   }
-  if (guess.isZero(0)) return length <= 1;
-  const bool closer = last <= come_nearer * left.col(0).norm();
+  if (guess.isZero(0)) return !away;
+  const bool closer = !away && last <= come_nearer * left.col(0).norm();
   if (!closer) {
     model.programme.load = load;
     ledger.count("dropped", 1);

@@ -24,8 +24,8 @@ struct Corrected {
 };
 
 /// Solves a linear problem whose contact forces turn with the way d that is its solution. They are a load, which needs d, so the
-/// problem is solved up to a dozen times with one factor, without refinement and of the unknowns of contact alone, and then once as
-/// any other.
+/// problem is solved up to a dozen times with one factor, without refinement and of the unknowns of that load alone, and then once
+/// as any other.
 /// \param model      with p, which it keeps
 /// \param turned     what the load lacks
 /// \param options    for the solver

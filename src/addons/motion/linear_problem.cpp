@@ -52,6 +52,7 @@ struct Rung {
 constexpr std::array<Rung, 7> ladder = {
     {{40, 0}, {400, 0}, {4000, 0}, {40, 1e-6}, {40, 1e-4}, {40, 1e-2}, {40, 1e-1}}};
 constexpr std::size_t stiff_springs = 6;  // these make ways short; weaker ones are on the right as well
+constexpr std::size_t unstable = 5;       // a body that such springs hold at the end has lost its stability
 
 /// Makes \f$ \rho A_c^T A_c \f$, which belongs to K, and adds \f$ \rho A_c^T g_c \f$ to p. Where one of the rows c is about to open it resists
 /// a little, as a spring that is at rest where it holds.
@@ -62,12 +63,11 @@ Eigen::SparseMatrix<double> hold_by_pairs(const std::vector<Index>& rows, double
   return stiffness * (held.transpose() * held);
 }
 
-/// What turning contact forces, and weak springs, lack: these of all unknowns. While supports are on their way nothing turns yet, and
-/// springs shorten the way.
+/// What turning contact forces lack, and weak springs, which are on all unknowns. While supports are on their way nothing turns yet,
+/// and springs shorten the way.
 TurnedForces lacking(const TangentProblem& problem, std::size_t rung, double spring) {
-  TurnedForces lack = problem.turned;
-  if (rung < weak_springs || rung >= stiff_springs || !lack.along) return lack;
-  lack.unknowns.resize(at(problem.model.unknowns.count));
+  if (rung < weak_springs || rung >= stiff_springs || !problem.turned.along) return problem.turned;
+  TurnedForces lack{std::vector<Index>(at(problem.model.unknowns.count))};
   std::iota(lack.unknowns.begin(), lack.unknowns.end(), 0);
   lack.along = [&turned = problem.turned, spring](const VectorXd& way, const VectorXd& force) {
     VectorXd load = spring * way;
@@ -165,7 +165,7 @@ std::string why_indefinite(const Model& model, const std::vector<Index>& held, s
     return text("no pair presses, and nothing else holds the bodies: ",
                 joined(motions_without_contact(selected_rows(model.programme.A, {}), model.modes), "; "),
                 ". Turn the load round or add a support");
-  if (rung < stiff_springs) return {};
+  if (rung < unstable) return {};
   return text("the tangent is indefinite, however stiffly closed pairs hold it: a body has lost its stability, where ",
               most_shortened(model),
               ". Take shorter steps, hold the body, or a law that resists at such a strain");

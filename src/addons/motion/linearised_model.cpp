@@ -54,6 +54,20 @@ NodeArray left_to_give(const Unknowns& unknowns, const Displaced& at) {
   return (unknowns.number < 0).select((unknowns.held - at.high) - at.low, 0);
 }
 
+/// Those of nodes that have rows, and those that equations have put into the rows in the place of others. A normal along an axis has no
+/// entry across it, but across it nodes turn it.
+std::vector<Index> unknowns_of_pairs(const Model& model) {
+  std::set<Index> all;
+  for (Index pair = 0; pair < model.programme.A.rows(); ++pair)
+    for (NodalRows::InnerIterator entry(model.programme.A, pair); entry; ++entry)
+      all.insert(entry.col());
+  for (Index pair = 0; pair < model.pairs.opening.rows(); ++pair)
+    for (NodalRows::InnerIterator entry(model.pairs.opening, pair); entry; ++entry)
+      for (const Index axis : {0, 1})
+        if (const Index k = model.unknowns.number(entry.col() / 2, axis); k >= 0) all.insert(k);
+  return {all.begin(), all.end()};
+}
+
 }  // namespace
 
 Model without_stiffness(Model& model) {
@@ -121,10 +135,9 @@ Displaced LinearisedModel::ahead(const PrimalDual& way, double share) const {
 
 TurnedForces LinearisedModel::turned(double look) const {
   const Eigen::SparseMatrix<double, Eigen::RowMajor>& A = model_.programme.A;
-  const std::set<Index> joined(A.innerIndexPtr(), A.innerIndexPtr() + A.nonZeros());
-  const std::vector<Index> own(joined.begin(), joined.end());
-  const auto along = [this, &A, own, look, there = without_stiffness(model_)](
-                         const VectorXd& way, const VectorXd& force) mutable -> VectorXd {
+  const std::vector<Index> own = unknowns_of_pairs(model_);
+  auto along = [this, &A, own, look, there = without_stiffness(model_)](
+                   const VectorXd& way, const VectorXd& force) mutable -> VectorXd {
     VectorXd all = VectorXd::Zero(A.cols());
     all(own) = way;
     const double share = std::min(1.0, look / largest(way));
@@ -138,7 +151,7 @@ TurnedForces LinearisedModel::turned(double look) const {
     const VectorXd load = (A - there.programme.A).transpose() * force;
     return load(own) / share;
   };
-  return {own, along};
+  return {own, std::move(along)};
 }
 
 Certificate LinearisedModel::certificate(const Solution& solution) const {

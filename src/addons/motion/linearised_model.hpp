@@ -31,8 +31,8 @@ class LinearisedModel {
 
   /// How contact forces turn on the way, with all of it what supports still have to give: the pairs are found a little ahead.
   /// \param look  how far ahead at most [length]
-  /// \return the change of \f$ N^T\lambda + S^T\tau \f$ along a way, to first order, of the unknowns that rows of pairs have; 0 if there
-  ///   are other pairs ahead. It asks this place, which must not move meanwhile
+  /// \return the change of \f$ N^T\lambda + S^T\tau \f$ along a way, to first order, of the unknowns of the nodes of pairs; 0 if there
+  ///   are other pairs ahead. The function refers to this object; do not call move() while it is in use
   [[nodiscard]] TurnedForces turned(double look) const;
 
   /// \param solution  of a linear problem with the same pairs

@@ -76,8 +76,8 @@ class Factor {
   /// \return `n` u [length]
   /// \throws std::invalid_argument unless there is one entry per unknown
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::Ref<const Eigen::VectorXd>& load) const;
-  /// Solves that walk through the part of the factor that some unknowns know, and only that; the same numbers as solve() without
-  /// other loads. A back end without such solves has to be asked for all unknowns.
+  /// Solves that walk through that part of the factor that eliminates some unknowns or is above them, and only that; the same
+  /// numbers as solve() without other loads. A back end without such solves has to be asked for all unknowns.
   /// \param unknowns  each once
   /// \return what solves for them; nothing if the back end cannot
   /// \throws std::invalid_argument if there is no such unknown
