@@ -40,6 +40,10 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 /// the iteration that they save.
 constexpr Index most_corrections = 12;
 
+/// Where a tangent has a factor of rounding, ways are about 1 / epsilon times too long. Those that are longer than this, in sizes of
+/// the smallest body, are such ones.
+constexpr double endless = 1e8;
+
 /// A way of the length e, in sizes of the smallest body, leaves about \f$ e^2 \f$ since the equations are not linear along it. It is
 /// near enough to its own load if that leaves no more, nor more than a tenth of what a certificate counts as zero. A thousandth is
 /// asked of long ways, too: a body that is about to lose its stability takes what is left over for a push.
@@ -75,15 +79,22 @@ VectorXd weights_of_least(const MatrixXd& left) {
   return weights;
 }
 
+/// The way of some unknowns that a state of the pairs leads to.
+VectorXd way_of(const ContactState& state, const Model& model, const VectorXd& free,
+                const std::vector<Index>& own, const Factor::Solve& solve_own) {
+  const VectorXd push = model.programme.A.transpose() * all_forces(state);
+  VectorXd way = free(own) - solve_own(push(own));
+  if (state.amplitude.size() > 0) way += mode_shapes(model.modes)(own, Eigen::all) * state.amplitude;
+  return way;
+}
+
 /// Adds to p the forces that turn with the way. Free displacements of other unknowns are updated at the end only: no row of A has them.
-/// A way is long if it leads farther than the smallest body is large: a tangent of rounding has such ways.
-/// \return whether the way is not long and came closer to its own load, or is its own load; else p is as it was
+/// \return whether the way came closer to its own load, or is its own load, and is not endless; else p is as it was
 bool add_turned(const TurnedForces& turned, Model& model, SolverOptions& options, Condensed& condensed,
                 Ledger& ledger) {
   const Ledger::Phase phase(ledger, "corrections");
   const std::vector<Index>& own = turned.unknowns;
   const Factor::Solve solve_own = solve_of(own, condensed.factor);
-  const MatrixXd modes = model.modes.empty() ? MatrixXd() : MatrixXd(mode_shapes(model.modes)(own, Eigen::all));
   const VectorXd load = model.programme.load;
   const VectorXd free = condensed.free_displacement;
   const double size = smallest_size(model);
@@ -98,17 +109,15 @@ bool add_turned(const TurnedForces& turned, Model& model, SolverOptions& options
     ledger.count("claims", 1);
     last = std::numeric_limits<double>::infinity();
     if (state.report.status != SolveStatus::Solved) break;
-    const VectorXd force = all_forces(state);
-    const VectorXd push = model.programme.A.transpose() * force;
-    ways.col(k) = condensed.free_displacement(own) - solve_own(push(own));
-    if (state.amplitude.size() > 0) ways.col(k) += modes * state.amplitude;
+    ways.col(k) = way_of(state, model, condensed.free_displacement, own, solve_own);
     left.col(k) = ways.col(k) - guess;
     last = left.col(k).norm();
     const double length = largest(ways.col(k)) / size;
     if (last <= near_enough(length) * ways.col(k).norm()) break;
-    loads.col(k) = turned.along(ways.col(k), force);
-    away = !(length <= 1) && !loads.col(k).isZero(0);
-    if (!(length <= 1)) break;
+    loads.col(k) = turned.along(ways.col(k), all_forces(state));
+    const bool ends = length <= endless;
+    away = !ends && !loads.col(k).isZero(0);
+    if (!ends) break;
     options.start = state.contact_status;
     const VectorXd weights = weights_of_least(left.leftCols(k + 1));
     guess = ways.leftCols(k + 1) * weights;

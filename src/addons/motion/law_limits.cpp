@@ -30,7 +30,7 @@ double least_wave_stiffness(const StressResponse& response) {
   static const std::array<Eigen::Vector2d, 32> directions = [] {
     std::array<Eigen::Vector2d, 32> all;
     for (std::size_t k = 0; k < all.size(); ++k)
-      all[k] = {std::cos(pi * k / all.size()), std::sin(pi * k / all.size())};
+      all[k] = {std::cos(pi * static_cast<double>(k) / 32), std::sin(pi * static_cast<double>(k) / 32)};
     return all;
   }();
   double least = std::numeric_limits<double>::infinity();
