@@ -13,7 +13,8 @@
 // \f$ K - B - C \f$ with K as its preconditioner. The load is linear in the way: a mean of ways has the mean of their loads.
 //
 // What contact forces do along d need not be derived. They are found where the bodies would stand if they went a
-// little of the way, and the difference says it.
+// little of the way, and the difference says it. Only nodes of pairs have such forces, and only their ways change them. So a correction
+// solves for these alone: in a mesh of 10 000 nodes with 50 pairs that takes a fifth of the operations of a whole solve.
 
 #include "addons/motion/corrected_solve.hpp"
 
