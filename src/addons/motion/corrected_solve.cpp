@@ -80,26 +80,40 @@ VectorXd weights_of_least(const MatrixXd& left) {
   return weights;
 }
 
-/// The way of some unknowns that a state of the pairs leads to.
-VectorXd way_of(const ContactState& state, const Model& model, const VectorXd& free,
-                const std::vector<Index>& own, const Factor::Solve& solve_own) {
-  const VectorXd push = model.programme.A.transpose() * all_forces(state);
-  VectorXd way = free(own) - solve_own(push(own));
-  if (state.amplitude.size() > 0) way += mode_shapes(model.modes)(own, Eigen::all) * state.amplitude;
-  return way;
-}
+/// Some unknowns, and the linear problem before anything was added to their loads.
+struct Own {
+  const std::vector<Index>& unknowns;
+  Factor::Solve solve;  ///< for them
+  VectorXd load;        ///< p
+  VectorXd free;        ///< displacements without pairs
 
-/// Adds to p the forces that turn with the way. Free displacements of other unknowns are updated at the end only: no row of A has them.
+  /// The way that a state of the pairs leads to.
+  [[nodiscard]] VectorXd way(const ContactState& state, const Model& model, const Condensed& condensed) const {
+    const VectorXd push = model.programme.A.transpose() * all_forces(state);
+    VectorXd way = condensed.free_displacement(unknowns) - solve(push(unknowns));
+    if (state.amplitude.size() > 0)
+      way += mode_shapes(model.modes)(unknowns, Eigen::all) * state.amplitude;
+    return way;
+  }
+
+  /// Free displacements of other unknowns stay as they were: no row of A has them.
+  void add(const VectorXd& lacking, Model& model, Condensed& condensed) const {
+    model.programme.load(unknowns) = load(unknowns) + lacking;
+    VectorXd there = free;
+    there(unknowns) += solve(lacking);
+    move_freely(model, std::move(there), condensed);
+  }
+};
+
+/// Adds to p the forces that turn with the way.
 /// \return whether the way came closer to its own load, or is its own load, and is not endless; else p is as it was
 bool add_turned(const TurnedForces& turned, Model& model, SolverOptions& options, Condensed& condensed,
                 Ledger& ledger) {
   const Ledger::Phase phase(ledger, "corrections");
-  const std::vector<Index>& own = turned.unknowns;
-  const Factor::Solve solve_own = solve_of(own, condensed.factor);
-  const VectorXd load = model.programme.load;
-  const VectorXd free = condensed.free_displacement;
+  const Own own{turned.unknowns, solve_of(turned.unknowns, condensed.factor), model.programme.load,
+                condensed.free_displacement};
   const double size = smallest_size(model);
-  MatrixXd ways(own.size(), most_corrections), left = ways, loads = ways;
+  MatrixXd ways(turned.unknowns.size(), most_corrections), left = ways, loads = ways;
   VectorXd guess = VectorXd::Zero(ways.rows());
   double last = 0;
   bool away = false;
@@ -110,7 +124,7 @@ bool add_turned(const TurnedForces& turned, Model& model, SolverOptions& options
     ledger.count("claims", 1);
     last = std::numeric_limits<double>::infinity();
     if (state.report.status != SolveStatus::Solved) break;
-    ways.col(k) = way_of(state, model, condensed.free_displacement, own, solve_own);
+    ways.col(k) = own.way(state, model, condensed);
     left.col(k) = ways.col(k) - guess;
     last = left.col(k).norm();
     const double length = largest(ways.col(k)) / size;
@@ -122,16 +136,12 @@ bool add_turned(const TurnedForces& turned, Model& model, SolverOptions& options
     options.start = state.contact_status;
     const VectorXd weights = weights_of_least(left.leftCols(k + 1));
     guess = ways.leftCols(k + 1) * weights;
-    const VectorXd lacking = loads.leftCols(k + 1) * weights;
-    model.programme.load(own) = load(own) + lacking;
-    VectorXd there = free;
-    there(own) += solve_own(lacking);
-    move_freely(model, std::move(there), condensed);
+    own.add(loads.leftCols(k + 1) * weights, model, condensed);
   }
   if (guess.isZero(0)) return !away;
   const bool closer = !away && last <= come_nearer * left.col(0).norm();
   if (!closer) {
-    model.programme.load = load;
+    model.programme.load = own.load;
     ledger.count("dropped", 1);
   }
   move_freely(model, condensed.factor.solve(model.programme.load), condensed);
