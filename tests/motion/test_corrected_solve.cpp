@@ -54,28 +54,42 @@ Effort effort(double friction, const char* law) {
   return all;
 }
 
+/// \param scene  must outlive it
+PlacePairs placing(const Scene& scene) {
+  return [&scene](const Displaced& there, const Displaced& before, Model& model) {
+    place_bodies(scene, there, before, model);
+    if (model.equations) take_equations_of_rows(there, model);
+  };
+}
+
+/// The way of all unknowns if everything turns about the origin by 1, to first order.
+VectorXd turn_of_all(const Model& model) {
+  NodeArray turn = NodeArray::Zero(count_nodes(model.bodies), 2);
+  for (const BodyModel& body : model.bodies)
+    for (Index k = 0; k < body.mesh.n_nodes(); ++k)
+      turn.row(body.first_node + k) << -body.mesh.nodes(k, 1), body.mesh.nodes(k, 0);
+  return restricted(model.unknowns, turn);
+}
+
 }  // namespace
 
 // Nothing changes but directions: forces turn with the bodies. The difference looks 1e-8 ahead, where rounding of normals is 1e-8 of
 // it; a base of eight cells has normals that are right to a few roundings more.
 TEST_CASE("if everything turns, contact and friction forces turn with it", "[motion]") {
-  const double friction = GENERATE(0.3, 0.0);  // without it, rows of pairs have no entries along the base
   MovingBlocks of;
   of.base_cells = 8;
-  of.friction = friction;
+  of.friction = GENERATE(0.3, 0.0);  // without it, rows of pairs have no entries along the base
   const Scene scene = moving_blocks(of);
   Ledger ledger;
   Model model = build(scene, ledger);
-  const PlacePairs place = [&](const Displaced& there, const Displaced& before, Model& of_model) {
-    place_bodies(scene, there, before, of_model);
-  };
+  const PlacePairs place = placing(scene);
   const NodeArray zero = NodeArray::Zero(count_nodes(model.bodies), 2);
   const Displaced rest{zero, zero};
   const LinearisedModel linear(place, rest, model);
   place(rest, rest, model);
   const Index rows = model.programme.A.rows();
   const VectorXd force = VectorXd::LinSpaced(rows, 1, 2).array().sin();
-  VectorXd way(model.unknowns.count);
+  const VectorXd way = turn_of_all(model);
   VectorXd expected = VectorXd::Zero(way.size());
   const VectorXd push = -model.programme.A.transpose() * force;
   for (const BodyModel& body : model.bodies)
@@ -83,8 +97,6 @@ TEST_CASE("if everything turns, contact and friction forces turn with it", "[mot
       const Index x = model.unknowns.number(body.first_node + k, 0);
       const Index y = model.unknowns.number(body.first_node + k, 1);
       if (x < 0 || y < 0) continue;
-      way(x) = -body.mesh.nodes(k, 1);
-      way(y) = body.mesh.nodes(k, 0);
       expected(x) = -push(y);
       expected(y) = push(x);
     }
@@ -107,19 +119,12 @@ TEST_CASE("forces turn with nodes that equations hold", "[motion]") {
   scene.bonds = std::make_shared<Bonds>(bonds);
   Ledger ledger;
   Model model = build(scene, ledger);
-  const PlacePairs place = [&](const Displaced& there, const Displaced& before, Model& of_model) {
-    place_bodies(scene, there, before, of_model);
-    take_equations_of_rows(there, of_model);
-  };
+  const PlacePairs place = placing(scene);
   const NodeArray zero = NodeArray::Zero(count_nodes(model.bodies), 2);
   const Displaced rest{zero, zero};
   const LinearisedModel linear(place, rest, model);
   place(rest, rest, model);
-  NodeArray turn = zero;
-  for (const BodyModel& body : model.bodies)
-    for (Index k = 0; k < body.mesh.n_nodes(); ++k)
-      turn.row(body.first_node + k) << -body.mesh.nodes(k, 1), body.mesh.nodes(k, 0);
-  const VectorXd way = restricted(model.unknowns, turn);
+  const VectorXd way = turn_of_all(model);
   const VectorXd force = VectorXd::LinSpaced(model.programme.A.rows(), 1, 2).array().sin();
   const TurnedForces turned = linear.turned(1e-8);
   const double share = 1e-8 / largest(way);
@@ -140,9 +145,7 @@ TEST_CASE("an iteration leaves the square of what was left, as far as rows are g
   of.drag = 0.3;
   of.steps = 1;
   const Scene scene = moving_blocks(of);
-  const PlacePairs place = [&](const Displaced& there, const Displaced& before, Model& of_model) {
-    place_bodies(scene, there, before, of_model);
-  };
+  const PlacePairs place = placing(scene);
   std::optional<Model> placed;
   std::optional<Displaced> solved;
   const PathEnd end = solve_steps(scene, [&](const Model& model, const Step& step) {

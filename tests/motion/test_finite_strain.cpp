@@ -11,6 +11,7 @@
 #include "signorini/fem/strain_laws.hpp"
 #include "signorini/fem/stress.hpp"
 #include "signorini/problem/residual.hpp"
+#include "signorini/report/pressure_table.hpp"
 #include "signorini/scene/readings.hpp"
 #include "signorini/scene/step_loop.hpp"
 #include "support/meshes.hpp"

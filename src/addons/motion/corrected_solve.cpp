@@ -57,7 +57,7 @@ double near_enough(double length) {
 /// wrong as none is dropped.
 constexpr double come_nearer = 0.5;
 
-/// Solves for some unknowns. Both must outlive it.
+/// Solves for some unknowns. \param own  each once \param factor  of K; both must outlive the solve
 Factor::Solve solve_of(const std::vector<Index>& own, const Factor& factor) {
   const bool some = static_cast<Index>(own.size()) < factor.size();
   if (std::optional<Factor::Part> part = some ? factor.part(own) : std::nullopt)
@@ -80,12 +80,12 @@ VectorXd weights_of_least(const MatrixXd& left) {
   return weights;
 }
 
-/// Some unknowns, and the linear problem before anything was added to their loads.
-struct Own {
+/// The linear problem restricted to some unknowns, before anything was added to their loads.
+struct Restriction {
   const std::vector<Index>& unknowns;
   Factor::Solve solve;  ///< for them
-  VectorXd load;        ///< p
-  VectorXd free;        ///< displacements without pairs
+  VectorXd load;        ///< p `n` of all unknowns [force]
+  VectorXd free;        ///< displacements without pairs `n` of all unknowns [length]
 
   /// The way that a state of the pairs leads to.
   [[nodiscard]] VectorXd way(const ContactState& state, const Model& model, const Condensed& condensed) const {
@@ -110,8 +110,8 @@ struct Own {
 bool add_turned(const TurnedForces& turned, Model& model, SolverOptions& options, Condensed& condensed,
                 Ledger& ledger) {
   const Ledger::Phase phase(ledger, "corrections");
-  const Own own{turned.unknowns, solve_of(turned.unknowns, condensed.factor), model.programme.load,
-                condensed.free_displacement};
+  const Restriction own{turned.unknowns, solve_of(turned.unknowns, condensed.factor),
+                        model.programme.load, condensed.free_displacement};
   const double size = smallest_size(model);
   MatrixXd ways(turned.unknowns.size(), most_corrections), left = ways, loads = ways;
   VectorXd guess = VectorXd::Zero(ways.rows());

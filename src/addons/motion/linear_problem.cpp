@@ -161,14 +161,17 @@ std::vector<Index> held_rows(const std::vector<ContactStatus>& statuses, const F
 }
 
 std::string why_indefinite(const Model& model, const std::vector<Index>& held, std::size_t rung) {
-  const bool nothing = held.empty() && !model.modes.empty();
-  if (!nothing && rung < unstable) return {};
-  if (!model.modes.empty())
-    return text(nothing ? "no pair presses, and nothing else holds the bodies: "
-                        : "contact alone holds the bodies, and iterations did not come to where it does: ",
-                joined(motions_without_contact(selected_rows(model.programme.A, {}), model.modes), "; "),
-                nothing ? ". Turn the load round or add a support"
-                        : ". Take shorter steps, draw them nearer to where they come to rest, or add a support");
+  const auto motions = [&model] {
+    return joined(motions_without_contact(selected_rows(model.programme.A, {}), model.modes), "; ");
+  };
+  const bool free = !model.modes.empty();
+  if (free && held.empty())
+    return text("no pair presses, and nothing else holds the bodies: ", motions(),
+                ". Turn the load round or add a support");
+  if (rung < unstable) return {};
+  if (free)
+    return text("contact alone holds the bodies, and iterations did not come to where it does: ", motions(),
+                ". Take shorter steps, draw them nearer to where they come to rest, or add a support");
   return text("the tangent is indefinite, however stiffly closed pairs hold it: a body has lost its stability, where ",
               most_shortened(model),
               ". Take shorter steps, hold the body, or a law that resists at such a strain");
