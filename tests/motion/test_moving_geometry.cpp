@@ -421,7 +421,7 @@ TEST_CASE("a step begins where the way of the last one leads on, and takes fewer
     REQUIRE(other.state.solution.force.size() == force.size());
     CHECK((other.state.solution.force - force).cwiseAbs().maxCoeff() <=
           1e-10 * force.cwiseAbs().maxCoeff());
-    if (state.way.size() > 0) {
+    if (state.way.displacement.size() > 0) {
       with += next.solution.ledger.counted("pairs", "searches");
       without += other.solution.ledger.counted("pairs", "searches");
     } else {

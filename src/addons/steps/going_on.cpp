@@ -26,17 +26,47 @@ void check_steps(const Model& model, const char* function) {
   }
 }
 
-/// Whether the numbers of a state are those of a model.
-void check_sizes(const PathState& state, const Model& model) {
+namespace {
+
+bool is_empty_or(const VectorXd& part, Index size) { return part.size() == 0 || part.size() == size; }
+
+/// Whether a solution, or the way to it, is of so many unknowns and rows.
+bool fits(const PrimalDual& solution, Index unknowns, Index rows) {
+  return solution.displacement.size() == unknowns &&
+         is_empty_or(solution.displacement_low, unknowns) && is_empty_or(solution.rigid, unknowns) &&
+         solution.force.size() == rows && is_empty_or(solution.force_low, rows);
+}
+
+/// Whether all numbers of a state are those of a model.
+bool fits(const PathState& state, const Model& model) {
   const Index pairs = model.pairs.weight.size();
   const Index slips = static_cast<Index>(model.law.pair.size());
+  const Index n = model.unknowns.count;
+  const Index forces_of_way = state.way.force.size() == 0 ? 0 : pairs + slips;
+  return static_cast<Index>(state.contact_status.size()) == pairs && state.slip.size() == slips &&
+         state.increment.size() == slips && state.dissipation.size() == slips &&
+         fits(state.solution, n, pairs + slips) &&
+         fits(state.way, state.way.displacement.size() == 0 ? 0 : n, forces_of_way) &&
+         is_empty_or(state.dissipated_elsewhere, static_cast<Index>(model.contacts.size()));
+}
+
+bool is_finite(const PathState& state) {
+  return std::isfinite(state.time) && state.slip.allFinite() && state.increment.allFinite() &&
+         state.dissipation.allFinite() && state.way.displacement.allFinite() &&
+         state.way.force.allFinite() && state.dissipated_elsewhere.allFinite();
+}
+
+}  // namespace
+
+/// Whether the numbers of a state are those of a model.
+void check_sizes(const PathState& state, const Model& model) {
   const PrimalDual& solution = state.solution;
   if (state.steps == 0) {
     const Index sizes = static_cast<Index>(state.contact_status.size()) + state.slip.size() +
                         state.increment.size() + state.dissipation.size() +
                         solution.displacement.size() + solution.displacement_low.size() +
-                        solution.rigid.size() + solution.force.size() + state.way.size() +
-                        state.dissipated_elsewhere.size();
+                        solution.rigid.size() + solution.force.size() +
+                        state.way.displacement.size() + state.dissipated_elsewhere.size();
     require_input(
         state.time == 0 && sizes == 0,
         "a state before the first step is empty and of time 0, but "
@@ -45,27 +75,14 @@ void check_sizes(const PathState& state, const Model& model) {
         " numbers: go on from one that an observer or read_state() got, or from PathState()");
     return;
   }
-  const Index n = model.unknowns.count;
-  const bool fits =
-      static_cast<Index>(state.contact_status.size()) == pairs && state.slip.size() == slips &&
-      state.increment.size() == slips && state.dissipation.size() == slips &&
-      solution.displacement.size() == n &&
-      (solution.displacement_low.size() == 0 || solution.displacement_low.size() == n) &&
-      (solution.rigid.size() == 0 || solution.rigid.size() == n) &&
-      (state.way.size() == 0 || state.way.size() == n) &&
-      solution.force.size() == pairs + slips &&
-      (state.dissipated_elsewhere.size() == 0 ||
-       state.dissipated_elsewhere.size() == static_cast<Index>(model.contacts.size()));
-  require_input(fits, "the state at time ", state.time, " is of another scene: it has ",
-                solution.displacement.size(), " unknowns, ", state.contact_status.size(),
-                " pairs and ", state.slip.size(), " slips, but this one ", n, ", ", pairs, " and ",
-                slips);
+  require_input(fits(state, model), "the state at time ", state.time,
+                " is of another scene: it has ", solution.displacement.size(), " unknowns, ",
+                state.contact_status.size(), " pairs and ", state.slip.size(),
+                " slips, but this one ", model.unknowns.count, ", ", model.pairs.weight.size(),
+                " and ", model.law.pair.size());
   require_input(
-      state.steps > 0 && std::isfinite(state.time) && state.slip.allFinite() &&
-          state.increment.allFinite() && state.dissipation.allFinite() && state.way.allFinite() &&
-          state.dissipated_elsewhere.allFinite(),
-      "the state after step ", state.steps, " at time ", state.time,
-      " has numbers that are not finite or steps below 0: go on from one that was solved");
+      state.steps > 0 && is_finite(state), "the state after step ", state.steps, " at time ",
+      state.time, " has numbers that are not finite or steps below 0: go on from one that was solved");
 }
 
 /// Lets the slips of a model count from where they were.
@@ -76,19 +93,21 @@ void forget_slip(const VectorXd& slip, Model& model) {
 PathState after(const PathState& past, double time, const Model& model, const VectorXd& given,
                 const Solution& solution) {
   const ContactState& contact = solution.contact;
-  PathState state = past;
-  ++state.steps;
+  PathState state;
+  state.steps = past.steps + 1;
   state.time = time;
+  state.dissipated_elsewhere = past.dissipated_elsewhere;
   state.contact_status = contact.contact_status;
   state.solution = solution.refined;
+  state.began = past.time;
+  if (share_gone_on(past, time, model) > 0 && !model.loop)
+    state.way = way(past.solution, state.solution);
   state.increment = increment(contact);
-  const VectorXd lost = dissipated(contact);
-  if (past.steps == 0) {
-    state.slip = state.increment;
-    state.dissipation = lost;
-  } else {
-    state.slip += state.increment;
-    state.dissipation += lost;
+  state.slip = state.increment;
+  state.dissipation = dissipated(contact);
+  if (past.steps > 0) {
+    state.slip += past.slip;
+    state.dissipation += past.dissipation;
   }
   // What supports give is known: a sum of rounded increments would seem to move where they stand still.
   const Index pairs = model.pairs.weight.size();

@@ -45,20 +45,6 @@ void hand_on(const std::vector<PairName>& names, const Model& model, PathState& 
   if (!lost.isZero(0)) state.dissipated_elsewhere = std::move(lost);
 }
 
-/// How far loads go on as in the last step: their changes, seen along those of that step.
-/// \return over these; 0 if loads turn
-double share_gone_on(const PathState& past, double time, const Model& model) {
-  double along = 0;
-  double last = 0;
-  for (const LoadPart& part : model.parts) {
-    const double now = factor_of(model.path.histories, part.history, past.time);
-    const double change = now - factor_of(model.path.histories, part.history, past.began);
-    along += change * (factor_of(model.path.histories, part.history, time) - now);
-    last += change * change;
-  }
-  return along > 0 ? along / last : 0;
-}
-
 }  // namespace
 
 Step moved_step(const PathState& past, double time, Model& model, CondensedPath& path,
@@ -73,17 +59,15 @@ Step moved_step(const PathState& past, double time, Model& model, CondensedPath&
   SolverOptions options;
   options.start = past.contact_status;
   const double share = share_gone_on(past, time, model);
-  const VectorXd expected = share > 0 ? VectorXd(share * past.way) : VectorXd();
+  const VectorXd expected = share > 0 ? VectorXd(share * past.way.displacement) : VectorXd();
   Step result{
       model.loop->solve(before, expected, options, model, path.condensed, std::move(ledger)), past};
   if (result.solution.contact.report.status != SolveStatus::Solved) return result;
   PathState known = past;
   hand_on(names, model, known);
   result.state = after(known, time, model, VectorXd(), result.solution);
-  result.state.began = past.time;
-  result.state.way = {};
   if (share > 0)
-    result.state.way =
+    result.state.way.displacement =
         result.state.solution.displacement - restricted(model.unknowns, before.high);
   return result;
 }

@@ -130,14 +130,14 @@ Step step(const PathState& past, double time, Model& model, CondensedPath& path,
       model.programme.initial_gap.tail(static_cast<Index>(model.law.pair.size()));
   forget_slip(past.slip, model);  // slip counts from the step before
   move_freely(model, free_displacement(time, model, path), path.condensed);
+  path.condensed.expected = expected(past, time, model);  // where the loads lead
   SolverOptions options;
   options.start = past.contact_status;  // begin with what the pairs did last
-  Step result{solve(model, path.condensed, model.solver, std::move(ledger), options), past};
-  Solution& solution = result.solution;
-  if (solution.contact.report.status == SolveStatus::Solved)
-    result.state = after(past, time, model, given, solution);
+  Solution solution = solve(model, path.condensed, model.solver, std::move(ledger), options);
+  const bool solved = solution.contact.report.status == SolveStatus::Solved;
+  PathState state = solved ? after(past, time, model, given, solution) : past;
   // [step]
-  return result;
+  return {std::move(solution), std::move(state)};
 }
 
 namespace {
@@ -180,8 +180,8 @@ Step Walk::taken(double time) {
 bool Walk::goes(double time) {
   Step next = taken(time);
   if (next.solution.contact.report.status == SolveStatus::Solved) {
-    end.state = next.state;
     if (observe) observe(model, next);
+    end.state = std::move(next.state);
     return true;
   }
   if (next.solution.contact.unbounded_direction.size() > 0 && !end.limit && !model.loop)

@@ -6,6 +6,10 @@
 /// histories: p, g and \f$ K^{-1}p \f$ are sums of parts, each condensed once. So a step costs the triangular solves
 /// of its refinement and dense algebra on the boundary, and begins from what the pairs did last.
 ///
+/// If loads go on in one proportion, u and forces do too, until a pair changes. So of bodies that stay and that supports hold
+/// the step is first looked for on the line through the last two. A change of pairs costs one solve there, no change none, and
+/// the certificate says whether that is exact: ten times better than it must be, or the step is refined as any other.
+///
 /// The law of friction holds for the slip since the last step: \f$ s_k = s(t_k) + T u_k - s_{k-1} \f$, where
 /// \f$ s_{k-1} \f$ is the slip in total before. A pair that sticks keeps its total to the last bit. Friction of a node
 /// that supports drag along acts on them alone: at its bound while they move, none while they stand, where it could be
@@ -44,9 +48,10 @@ struct PathState {
   /// Of bodies that move, for each contact: what nodes dissipated until they lost their pair [force*length]; empty: none did
   Eigen::VectorXd dissipated_elsewhere = {};
   PrimalDual solution = {};  ///< u in two parts and forces of all rows of A, of the last step
-  double began = 0;  ///< of bodies that move: when the last step began [time]
-  /// `n` how far their unknowns went in it; empty if loads turned at its beginning [length]
-  Eigen::VectorXd way = {};
+  double began = 0;  ///< when the last step began, where that is looked at [time]
+  /// How far u went in it, in two parts, and by how much the forces of all rows grew; empty if loads turned at its beginning. Of
+  /// bodies that move u alone, in one part
+  PrimalDual way = {};
 };
 
 /// A step of a path.

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <ostream>
 
 #include "addons/steps/steps.hpp"
@@ -10,17 +12,17 @@ namespace {
 
 using Eigen::Index, Eigen::VectorXd;
 
-constexpr std::string_view first_line = "signorini-state-2";
-constexpr std::string_view without_end =
-    "signorini-state-1";  // of versions that did not mark the end
+/// The first lines of all versions: the first did not mark the end, the second had forces in one part, and a way of u alone.
+constexpr std::array<std::string_view, 3> first_lines = {"signorini-state-1", "signorini-state-2",
+                                                         "signorini-state-3"};
 constexpr std::string_view last_line = "end";
-constexpr const char* began = "last-step-began";           // only where bodies move
-constexpr const char* elsewhere = "dissipated-elsewhere";  // too
+constexpr const char* began = "last-step-began";           // behind the first step
+constexpr const char* elsewhere = "dissipated-elsewhere";  // only where bodies move
 constexpr std::string_view status_letters = "osfb";        // in the order of ContactStatus
 
 /// The vectors of a state, by name.
 template <typename State, typename Visit>
-void visit_vectors(State& state, Visit&& visit) {
+void visit_vectors(State& state, std::size_t version, Visit&& visit) {
   visit("slip", state.slip);
   visit("increment", state.increment);
   visit("dissipation", state.dissipation);
@@ -28,6 +30,17 @@ void visit_vectors(State& state, Visit&& visit) {
   visit("displacement", state.solution.displacement);
   visit("displacement-low", state.solution.displacement_low);
   visit("rigid", state.solution.rigid);
+  if (version > 1) visit("force-low", state.solution.force_low);
+}
+
+/// Those of the way to it.
+template <typename State, typename Visit>
+void visit_way(State& state, std::size_t version, Visit&& visit) {
+  visit("way", state.way.displacement);
+  if (version < 2) return;
+  visit("way-low", state.way.displacement_low);
+  visit("way-force", state.way.force);
+  visit("way-force-low", state.way.force_low);
 }
 
 /// The word after a name on the next line.
@@ -55,26 +68,28 @@ void read_vector(TextReader& reader, const char* name, VectorXd& values) {
   for (double& value : values) value = reader.number(reader.word_anywhere(), name);
 }
 
-/// Whether the file marks its end, by its first line.
-bool marks_its_end(TextReader& reader) {
+/// \return which of the first lines the file has
+std::size_t version_of(TextReader& reader) {
   reader.next_line();
   const std::string_view word = reader.word();
-  if (word != first_line && word != without_end)
-    reader.fail(text("a line with the single word '", first_line, "', or '", without_end,
-                     "' of an older version"),
+  const auto found = std::find(first_lines.begin(), first_lines.end(), word);
+  if (found == first_lines.end())
+    reader.fail(text("a line with the single word '", first_lines.back(), "', or '", first_lines[1], "' or '",
+                     first_lines[0], "' of an older version"),
                 word);
   reader.expect_end_of_line(std::string(word));
-  return word == first_line;
+  return static_cast<std::size_t>(found - first_lines.begin());
 }
 
-/// What only bodies that move have, and the end of the file. \param marked  whether a line says that this is the end
-void read_rest(TextReader& reader, bool marked, PathState& state) {
+/// The way to a state, what only bodies that move have, and the end of the file.
+void read_rest(TextReader& reader, std::size_t version, PathState& state) {
   const auto next = [&] { return reader.next_line() ? reader.word() : std::string_view(); };
   std::string_view word = next();
   if (word == began) {
     state.began = reader.number(reader.word(), began);
     reader.expect_end_of_line(began);
-    read_vector(reader, "way", state.way);
+    visit_way(state, version,
+              [&](const char* name, VectorXd& values) { read_vector(reader, name, values); });
     word = next();
   }
   if (word == elsewhere) {
@@ -85,7 +100,7 @@ void read_rest(TextReader& reader, bool marked, PathState& state) {
         Eigen::Map<const VectorXd>(each.data(), static_cast<Index>(each.size()));
     word = next();
   }
-  if (marked) {
+  if (version > 0) {
     if (word != last_line)
       reader.fail(text("a line '", last_line, "', without which a part of the file is missing"),
                   word);
@@ -98,16 +113,18 @@ void read_rest(TextReader& reader, bool marked, PathState& state) {
 }  // namespace
 
 void write_state(const PathState& state, std::ostream& out) {
-  out << first_line << "\nsteps " << state.steps << "\ntime " << shortest(state.time) << "\nmotion "
+  const std::size_t version = first_lines.size() - 1;
+  const auto write = [&](const char* name, const VectorXd& values) {
+    write_vector(name, values, out);
+  };
+  out << first_lines.back() << "\nsteps " << state.steps << "\ntime " << shortest(state.time) << "\nmotion "
       << state.contact_status.size() << '\n';
   for (const ContactStatus contact_status : state.contact_status)
     out << status_letters[static_cast<std::size_t>(contact_status)] << '\n';
-  visit_vectors(state, [&](const char* name, const VectorXd& values) {
-    write_vector(name, values, out);
-  });
+  visit_vectors(state, version, write);
   if (state.began > 0) {
     out << began << ' ' << shortest(state.began) << '\n';
-    write_vector("way", state.way, out);
+    visit_way(state, version, write);
   }
   if (state.dissipated_elsewhere.size() > 0) {
     out << elsewhere;
@@ -120,7 +137,7 @@ void write_state(const PathState& state, std::ostream& out) {
 PathState read_state(const std::string& content, const std::string& name) {
   TextReader reader(content, name);
   PathState state;
-  const bool marked = marks_its_end(reader);
+  const std::size_t version = version_of(reader);
   state.steps = next_size(reader, "steps", 1);
   state.time = reader.number(word_after(reader, "time"), "time");
   reader.expect_end_of_line("time");
@@ -134,10 +151,10 @@ PathState read_state(const std::string& content, const std::string& name) {
     if (contact_status == std::string_view::npos) reader.fail("o, s, f or b", word);
     state.contact_status.push_back(static_cast<ContactStatus>(contact_status));
   }
-  visit_vectors(state, [&](const char* what, VectorXd& values) {
+  visit_vectors(state, version, [&](const char* what, VectorXd& values) {
     read_vector(reader, what, values);
   });
-  read_rest(reader, marked, state);
+  read_rest(reader, version, state);
   return state;
 }
 

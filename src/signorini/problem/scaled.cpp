@@ -130,8 +130,11 @@ ContactProblem as_posed(const ScaledProblem& problem) {
 // In the example above the row sums of \f$ \hat F \f$ are 1.5: forces of size 1 on both pairs open
 // each gap by 1.5. So a force counts 1.5 times as much as a gap.
 double force_scale(const MatrixXd& compliance) {
-  const double sum = compliance.size() == 0 ? 0 : compliance.cwiseAbs().rowwise().sum().maxCoeff();
-  return sum > 0 ? sum : 1;
+  VectorXd sums = VectorXd::Zero(compliance.rows());
+  for (Index column = 0; column < compliance.cols(); ++column)  // as they lie in memory
+    sums += compliance.col(column).cwiseAbs();
+  const double largest = sums.size() == 0 ? 0 : sums.maxCoeff();
+  return largest > 0 ? largest : 1;
 }
 
 // P F P. Contact alone may hold a body. F then contains the springs that ground it, and these

@@ -143,7 +143,8 @@ CondensedProgramme condensed_programme(const Condensed& condensed, Ledger& ledge
         const std::optional<Factor::Part> part = condensed.factor.part(unknowns);
         return part ? Solve(counted(part->solve_operations, part->solve)) : Solve();
       },
-      condensed.known.diagonal.size() > 0 ? &condensed.known : nullptr};
+      condensed.known.diagonal.size() > 0 ? &condensed.known : nullptr,
+      condensed.expected ? &*condensed.expected : nullptr};
 }
 
 }  // namespace signorini

@@ -19,6 +19,9 @@ struct Condensed {
   ContactProblem problem;             ///< F = A K^-1 A^T, d, s, the law, R and r
   Eigen::VectorXd free_displacement;  ///< u0 = K^-1 p `n` [length]
   KnownMatrices known = {};  ///< of K, A and the law, where many loads follow that leave them as they are
+  /// Where loads lead if pairs go on as before: u in two parts, and the forces of all rows of A, which balance the load. Whoever
+  /// solves may look there first; nothing if it is not known
+  std::optional<PrimalDual> expected = {};
 };
 
 /// Everything that is known at the end. Unless `contact.report.status` is Solved it is no solution: it then has

@@ -23,6 +23,7 @@ struct CondensedProgramme {
       const std::vector<Eigen::Index>&)>
       solve_part = {};
   const KnownMatrices* known = nullptr;  ///< of K, A and law; null if they are not known
+  const PrimalDual* expected = nullptr;  ///< see Condensed; null if nothing is
 };
 
 /// Where a programme ended. Unless `state.report.status` is Solved, the numbers are those of the best set that could be
@@ -53,6 +54,12 @@ struct RefinedSets {
   /// Refines one more set; it is the best if all its signs are right, or if no certificate before was better.
   /// \param of     statuses `n_c` \param force  of all rows, to begin with [force] \return what check_signs() says
   SignCheck refine(const std::vector<ContactStatus>& of, const Eigen::VectorXd& force);
+  /// Corrects what was expected, once. \param of  statuses `n_c` \param expected  u in two parts, and forces that balance the load
+  /// \return whether that is the end: all signs are right, and the certificate is ten times better than it must be
+  bool goes_on(const std::vector<ContactStatus>& of, const PrimalDual& expected);
+
+ private:
+  SignCheck take(const std::vector<ContactStatus>& of);
 };
 
 /// Whether a claim is worth refining. A proof that nothing solves the problem has no numbers; a method that broke down may still
