@@ -51,7 +51,7 @@ TEST_CASE("a relation that pushes a side into an obstacle is refused by place", 
   const std::string message = problem_message(
       [&] { static_cast<void>(plan(scene_of(block_on_bed + lifted_by("0.002") + plate_at("1.001")))); });
   CAPTURE(message);
-  CHECK(message.find("the pair at (3, 1) is held by ties, relations or rigid sides and overlaps by 0.001") !=
+  CHECK(message.find("the pair at (3, 1) is held by supports, ties, relations or rigid sides and overlaps by 0.001") !=
         std::string::npos);
 }
 

@@ -71,7 +71,7 @@ TEST_CASE("a side that a relation takes into an obstacle on the way is refused, 
     return words.erase(words.find(held), held.size());
   };
   CHECK_THAT(refusal(scene("[[steps]]\ncount = 2\nvalues = { h = 2 }\n[[steps]]\nvalues = { h = 0.5 }\n")),
-             ContainsSubstring("is held by ties, relations or rigid sides and overlaps by 0.03 at time 1"));
+             ContainsSubstring("is held by supports, ties, relations or rigid sides and overlaps by 0.03 at time 1"));
   CHECK(refusal(scene("[[steps]]\ncount = 2\nvalues = { h = 1 }\n")).empty());
 }
 

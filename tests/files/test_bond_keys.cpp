@@ -34,6 +34,8 @@ TEST_CASE("bonds of a scene file are those of a scene", "[scene_file][bonds]") {
       "[[tie]]\nsource = \"b.bottom\"\ntarget = \"a.top\"\nstiffness = [3, 1]\n"
       "[[relation]]\nterms = [{ side = \"b.top\", point = [0, 4], along = [0, 2] }, { side = \"a.top\", times = -1 }]\nright = 0.5\n"
       "[[relation]]\nterms = { side = \"a.left\" }\nstiffness = 7\n"
+      "[[relation]]\nterms = { side = \"a.left\" }\nat_most = 0.25\n"
+      "[[relation]]\nterms = { side = \"a.left\" }\nat_least = -3\n"
       "[[rigid]]\nside = \"b.top\"\ncentre = [1, 2]\nx = 0.1\nforce = [0, -3]\nmoment = 4\n");
   REQUIRE(scene.bonds);
   const Bonds& bonds = *scene.bonds;
@@ -46,13 +48,18 @@ TEST_CASE("bonds of a scene file are those of a scene", "[scene_file][bonds]") {
   REQUIRE(scene.contacts.size() == 1);
   CHECK(bonds.two_sided == std::vector<std::size_t>{0});
   CHECK(scene.contacts[0].friction->coefficient == 0.2);
-  REQUIRE(bonds.relations.size() == 2);
+  REQUIRE(bonds.relations.size() == 4);
   CHECK(bonds.relations[0].right == 0.5);
   REQUIRE(bonds.relations[0].terms.size() == 2);
   CHECK(bonds.relations[0].terms[0].only_at == Vector2d(0, 4));
   CHECK(bonds.relations[0].terms[0].along == Vector2d(0, 2));
   CHECK(bonds.relations[0].terms[1].times == -1);
   CHECK(bonds.relations[1].stiffness == 7.0);
+  CHECK(bonds.relations[1].holds == Holds::Equal);
+  CHECK(bonds.relations[2].right == 0.25);
+  CHECK(bonds.relations[2].holds == Holds::AtMost);
+  CHECK(bonds.relations[3].right == -3);
+  CHECK(bonds.relations[3].holds == Holds::AtLeast);
   REQUIRE(bonds.rigid.size() == 1);
   CHECK(bonds.rigid[0].centre == Vector2d(1, 2));
   CHECK(bonds.rigid[0].x == 0.1);
@@ -71,6 +78,8 @@ TEST_CASE("bonds that a scene file cannot mean are refused where they stand", "[
   CHECK_FALSE(complaint("[[relation]]\nterms = []\n").empty());
   CHECK_FALSE(complaint("[[relation]]\nterms = { side = \"a.middle\" }\n").empty());
   CHECK_FALSE(complaint("[[relation]]\nterms = { side = \"a.left\" }\nstiffness = 0\n").empty());
+  CHECK(complaint("[[relation]]\nterms = { side = \"a.left\" }\nat_most = 1\nat_least = 0\n") ==
+        "name:12: relation.at_least: a relation has one number, right, at_most or at_least: write two relations for two");
   CHECK_FALSE(complaint("[[rigid]]\nturn = 1\n").empty());
 }
 

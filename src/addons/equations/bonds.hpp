@@ -29,12 +29,21 @@ struct RelationTerm {
   double times = 1;                             ///< and by this [-]
 };
 
-/// A relation is one equation. If a term is of a whole side, there is one equation for each of its nodes; the nodes of all whole
-/// sides are matched in order, and a shift must take one side to the other. A term of one node stands in every equation.
+/// What a relation says of its sum and its number.
+enum class Holds {
+  Equal,    ///< the sum is the number: an equation
+  AtMost,   ///< the sum may reach the number and not pass it, as a contact does: a pair, whose gap is what is left
+  AtLeast,  ///< the same from above
+};
+
+/// A relation is one equation, or one pair. If a term is of a whole side, there is one for each of its nodes; the nodes of all whole
+/// sides are matched in order, and a shift must take one side to the other. A term of one node stands in every one of them.
 struct Relation {
   std::vector<RelationTerm> terms;        ///< one or more
-  double right = 0;                       ///< what they add up to [length]
-  std::optional<double> stiffness = {};   ///< a spring in the place of the equation, > 0 [force/length]
+  double right = 0;                       ///< what they add up to, or may add up to [length]
+  /// A spring in the place of the equation, > 0 [force/length]; none in that of a pair
+  std::optional<double> stiffness = {};
+  Holds holds = Holds::Equal;             ///< with it or up to it
 };
 
 /// A side that moves as a rigid body: a shift and a turn, each prescribed, or driven by forces, or neither.

@@ -43,14 +43,11 @@ void check_turns(const Scene& scene, const std::string& what) {
                 "leave it out, or the law");
 }
 
-NodalRows matrix_of(const std::vector<Equation>& rows, Index components) {
-  std::vector<Eigen::Triplet<double>> entries;
-  for (std::size_t k = 0; k < rows.size(); ++k)
-    for (const auto& [component, value] : rows[k].terms)
-      entries.emplace_back(static_cast<int>(k), static_cast<int>(component), value);
-  NodalRows matrix(static_cast<Index>(rows.size()), components);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  return matrix;
+/// What may not pass a number is a pair of the meshes, and pairs are found anew where bodies have moved to.
+void check_stays(const Scene& scene, const Relation& relation, const std::string& what) {
+  require_input(relation.holds == Holds::Equal || !bodies_move(scene), what,
+                " holds up to a number, which is made for small displacements, and bodies of this scene move: "
+                "make it an equation or a contact, or leave out moves and law");
 }
 
 const Bond& bond_of(const Equations& all, Index row) {
@@ -134,7 +131,7 @@ void solve_rows(const Scene& scene, Plan& draft, Equations& all) {
 void add_two_sided(const Scene& scene, Plan& draft) {
   const Bonds& bonds = *scene.bonds;
   for (const std::size_t contact : bonds.two_sided) {
-    require_input(contact < draft.contacts.size(), "bonds: the scene has no contact number ",
+    require_input(contact < scene.contacts.size(), "bonds: the scene has no contact number ",
                   contact, ", counted from 0");
     check_slides(scene, text("sliding tie ", draft.contacts[contact]));
     draft.on.push_back(text("sliding tie ", draft.contacts[contact], ": pairs of a contact that never lift off"));
@@ -154,8 +151,10 @@ void declare_equations(const Scene& scene, Plan& draft) {
     check_gap(scene, all->bonds.back());
   }
   std::size_t number = 0;
-  for (const Relation& relation : scene.bonds->relations)
+  for (const Relation& relation : scene.bonds->relations) {
     add_relation(relation, ++number, draft, *all);
+    check_stays(scene, relation, text("relation ", number));
+  }
   for (const RigidSide& rigid : scene.bonds->rigid) {
     add_rigid(rigid, draft, *all);
     check_turns(scene, all->bonds.back().what);
@@ -170,6 +169,12 @@ void declare_equations(const Scene& scene, Plan& draft) {
   draft.finish = take_equations;
 }
 
+/// Pairs of relations may be all that there are: then no effect before has taken them.
+void add_equations(Model& model) {
+  if (model.gaps.A.rows() > 0) take_gaps(model);
+  check_springs(model);
+}
+
 }  // namespace
 
 void register_equations() {
@@ -179,7 +184,7 @@ void register_equations() {
                 return bonds != nullptr && !(bonds->ties.empty() && bonds->two_sided.empty() &&
                                              bonds->relations.empty() && bonds->rigid.empty());
               },
-              declare_equations, check_springs},
+              declare_equations, add_equations},
              "rigid motions");
   set_solve_around(solve_two_sided);
   add_check({"equations", nullptr, nullptr, nullptr, nullptr, check_bonds});

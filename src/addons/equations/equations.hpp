@@ -34,6 +34,9 @@ struct Equation {
   double sliding = 0;      ///< and of that of the slip
 };
 
+/// \param rows  `m` \param components  of all nodes \return C `m x components` of their terms
+[[nodiscard]] NodalRows matrix_of(const std::vector<Equation>& rows, Eigen::Index components);
+
 /// Equations of one origin.
 struct Bond {
   std::string name;        ///< as tables have it, such as "upper.bottom to lower.top"
@@ -80,10 +83,17 @@ struct BondForces {
 /// \throws ProblemError for sides that cannot be paired, or an operator whose pairs are no nodes
 void add_tie(const Tie& tie, Plan& draft, Equations& all);
 
-/// Writes the equations of a relation. \param relation  of the scene \param number  of it, from 1
+/// Writes the equations of a relation, or its pairs. \param relation  of the scene \param number  of it, from 1
 /// \param draft  knows bodies \param all  gets a bond and its rows
 /// \throws ProblemError for terms that say nothing, or nodes that do not match
 void add_relation(const Relation& relation, std::size_t number, Plan& draft, Equations& all);
+
+/// Writes the pairs of a relation that is no equation, behind those of all contacts and as those of one more. A pair has a gap of
+/// what is left to the number, and its force acts along all terms; what tables tell of it is the force on the first one.
+/// \param relation  of the scene \param name  of it \param rows  one for each pair \param nodes  of the first term, one or one for each row
+/// \param draft     gets pairs and their contact
+void add_one_sided(const Relation& relation, const std::string& name, const std::vector<Equation>& rows,
+                   const std::vector<Eigen::Index>& nodes, Plan& draft);
 
 /// Writes the equations of a rigid side. \param rigid  of the scene \param draft  knows bodies \param all  gets a bond and its rows
 /// \throws ProblemError for numbers that are not finite, and in axial symmetry

@@ -103,6 +103,7 @@ void cut_law(const std::vector<Index>& kept, const std::vector<bool>& slides, Fr
 
 /// What messages call a contact.
 std::string in_words(const Scene& scene, const Plan& draft, std::size_t contact) {
+  if (contact >= scene.contacts.size()) return draft.contacts[contact];  // a relation
   const std::string words = describe(draft.bodies, scene.contacts[contact]);
   const std::vector<std::size_t>& ties = scene.bonds->two_sided;
   return std::find(ties.begin(), ties.end(), contact) == ties.end() ? words : "sliding tie" + words.substr(7);
@@ -114,7 +115,7 @@ void check_given(const Scene& scene, const Plan& draft, Index pair, double gap, 
   const std::string when = time ? text(" at time ", *time) : "";
   const std::string place =
       text(in_words(scene, draft, draft.contact_of[at(pair)]), ": the pair at ",
-           in_brackets(draft.gaps.pairs.position.row(pair)), " is held by ties, relations or rigid sides and ");
+           in_brackets(draft.gaps.pairs.position.row(pair)), " is held by supports, ties, relations or rigid sides and ");
   require_input(gap >= -rounding, place, "overlaps by ", -gap, when,
                 ". Leave it out there, or change what holds it");
   const bool stays = std::binary_search(draft.two_sided.begin(), draft.two_sided.end(), pair);
@@ -131,8 +132,10 @@ void check_gaps(const Scene& scene, const Plan& draft, const Equations& all,
                       given_by(all, draft.unknowns, held));
   for (const Index pair : given) {
     const Eigen::Vector2d x = gaps.pairs.position.row(pair).transpose();
-    const double to_come =
-        interference_to_come(scene, scene.contacts[draft.contact_of[at(pair)]], x, time);
+    const std::size_t contact = draft.contact_of[at(pair)];
+    const double to_come = contact < scene.contacts.size()
+                               ? interference_to_come(scene, scene.contacts[contact], x, time)
+                               : 0;
     check_given(scene, draft, pair, opening.value(pair) + to_come,
                 gap_rounding(gaps.pairs) + opening.rounding(pair), time);
   }
@@ -153,18 +156,18 @@ void see_slips(const Plan& draft, const Equations& all, const NodeArray& held, s
 void check_moves(const Scene& scene, const Plan& draft, Index pair) {
   require_input(!bodies_move(scene), in_words(scene, draft, draft.contact_of[at(pair)]), ": the pair at ",
                 in_brackets(draft.gaps.pairs.position.row(pair)),
-                " is held by ties, relations or rigid sides, and bodies of this scene move: let the boundaries of "
+                " is held by supports, ties, relations or rigid sides, and bodies of this scene move: let the boundaries of "
                 "a contact have no node in common with theirs");
 }
 
 void note_given(const Scene& scene, const std::vector<Index>& given, Plan& draft) {
-  for (std::size_t k = 0; k < scene.contacts.size(); ++k) {
+  for (std::size_t k = 0; k < draft.contacts.size(); ++k) {
     const auto own = std::count_if(given.begin(), given.end(), [&](Index pair) {
       return draft.contact_of[at(pair)] == k;
     });
     if (own == 0) continue;
     draft.notes.push_back(text(in_words(scene, draft, k), ": ", own, own == 1 ? " pair" : " pairs",
-                               " can neither open nor close, for ties, relations or rigid sides hold ",
+                               " can neither open nor close, for supports, ties, relations or rigid sides hold ",
                                own == 1 ? "it" : "them", ": no contact force there"));
     const auto nodeless = [&](Index pair) {
       return draft.contact_of[at(pair)] == k && draft.gaps.pairs.node[at(pair)] < 0;

@@ -1,4 +1,4 @@
-// Linear relations between displacements, and sides that move as rigid bodies.
+// Linear relations between displacements, with = or up to a number, and sides that move as rigid bodies.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -90,6 +90,8 @@ void check_relation(const Relation& relation, const std::string& what) {
   const double stiffness = relation.stiffness.value_or(1);
   require_input(std::isfinite(stiffness) && stiffness > 0, what,
                 ": a stiffness must be a number > 0, got ", stiffness);
+  require_input(!relation.stiffness || relation.holds == Holds::Equal, what,
+                ": it holds up to a number, and a stiffness is of a spring that also pulls: leave it out");
 }
 
 /// How a rigid side moves, by the displacements of two of its nodes: those of the first, and that of the second across the line
@@ -170,19 +172,23 @@ void add_relation(const Relation& relation, std::size_t number, Plan& draft, Equ
   match(bond.what, placed, draft);
   std::size_t count = 1;
   for (const Placed& one : placed) count = std::max(count, one.nodes.size());
-  bond.nodes = placed.front().nodes;
-  bond.first = all.rows.size();
+  std::vector<Equation> rows;
   for (std::size_t k = 0; k < count; ++k) {
     std::map<Index, double> terms;
     for (const Placed& one : placed)
       add_to(terms, one.nodes[one.term->only_at ? 0 : k], one.term->times * one.term->along);
-    all.rows.push_back(equation_of(terms, relation.right));
-    all.rows.back().stiffness = relation.stiffness;
+    rows.push_back(equation_of(terms, relation.right));
+    rows.back().stiffness = relation.stiffness;
   }
-  bond.end = all.rows.size();
+  const bool equal = relation.holds == Holds::Equal;
   draft.on.push_back(text(bond.what, " of ", relation.terms.size(),
                           relation.terms.size() == 1 ? " term: " : " terms: ", count,
-                          relation.stiffness ? " springs" : " equations"));
+                          !equal ? " pairs" : relation.stiffness ? " springs" : " equations"));
+  if (!equal) return add_one_sided(relation, bond.name, rows, placed.front().nodes, draft);
+  bond.nodes = placed.front().nodes;
+  bond.first = all.rows.size();
+  all.rows.insert(all.rows.end(), rows.begin(), rows.end());
+  bond.end = all.rows.size();
   all.bonds.push_back(std::move(bond));
 }
 

@@ -19,6 +19,10 @@ void read_relation(const Value& value, SceneDraft& draft) {
   RelationDraft relation;
   relation.bodies = &draft.file.scene.bodies;
   read_members(value, relation_keys(), relation);
+  int numbers = 0;
+  for (const char* const name : {"right", "at_most", "at_least"})
+    if (const Value* const given = value.find(name); given != nullptr && ++numbers > 1)
+      given->fail("a relation has one number, right, at_most or at_least: write two relations for two");
   draft.bonds.relations.push_back(std::move(relation));
 }
 
@@ -67,6 +71,14 @@ Key<Draft> side_key(const char* help) {
           [](const Value& value, Draft& draft) { draft.side = side_of(value, *draft.bodies); }};
 }
 
+/// A key that gives the number of a relation, and says how it holds.
+Key<RelationDraft> limit_key(const char* name, Holds holds, const char* help) {
+  return {{name, "number", "length", "", help}, [holds](const Value& value, RelationDraft& relation) {
+            take(value, relation.right);
+            relation.holds = holds;
+          }};
+}
+
 }  // namespace
 
 const Keys<TieDraft>& tie_keys() {
@@ -103,6 +115,8 @@ const Keys<RelationDraft>& relation_keys() {
         "that add up, as { side = \"right\", along = [0, 1], times = -1 }, see terms", true},
        read_terms},
       key("right", &RelationDraft::right, "length", "what the terms add up to"),
+      limit_key("at_most", Holds::AtMost, "instead of right: what they may reach and not pass, as a contact"),
+      limit_key("at_least", Holds::AtLeast, "the same from above"),
       key("stiffness", &RelationDraft::stiffness, "force/length",
           "a spring in the place of each equation, on what is missing in it", Bound::Positive)};
   return keys;

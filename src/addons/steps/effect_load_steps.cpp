@@ -78,6 +78,7 @@ class Sorting {
     for (const History& history : scene.path->histories) part(history.name);
     for (std::size_t b = 0; b < scene.bodies.size(); ++b) sort_body(b);
     for (std::size_t pair = 0; pair < draft.contact_of.size(); ++pair) {
+      if (draft.contact_of[pair] >= scene.contacts.size()) continue;  // of a relation
       const ContactSpec& contact = scene.contacts[draft.contact_of[pair]];
       const auto row = static_cast<Index>(pair);
       const Eigen::Vector2d x = draft.gaps.pairs.position.row(row).transpose();

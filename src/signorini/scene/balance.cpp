@@ -78,8 +78,7 @@ class Balance {
     const Pairs& pairs = model_.pairs;
     const Vector2d n = pairs.normal.row(pair).transpose();
     const Vector2d direction = which == 0 ? n : Vector2d(n.y(), -n.x());
-    const ContactBodies& bodies =
-        model_.contact_bodies[model_.contact_of[static_cast<std::size_t>(pair)]];
+    const ContactBodies& bodies = bodies_of(pair);
     const Vector2d x = pairs.position.row(pair).transpose();
     const auto act = [&](std::size_t body, const Vector2d& along, double moment) {
       add(sums_[body], force, along, moment + cross(x - extents_[body].middle, along));
@@ -121,6 +120,11 @@ class Balance {
     return worst;
   }
 
+  // Which bodies a reader adds the force of a pair to, by the contact that the pair is of.
+  [[nodiscard]] const ContactBodies& bodies_of(Index pair) const {
+    return model_.contact_bodies[model_.contact_of[static_cast<std::size_t>(pair)]];
+  }
+
  private:
   const Model& model_;
   std::vector<Extent> extents_;
@@ -133,12 +137,16 @@ class Balance {
 // What a reader sees are the forces of the contact state. What the nodes got are the
 // certified forces of all rows of A: those of gaps come first, those of slips behind them. A
 // pair without friction has no second row.
+//
+// A relation may push on three bodies at once, in three directions, and tells of the first one
+// alone. What it tells is a part of what the nodes got, and such a pair is not asked.
 double imbalance(const Model& model, const ContactState& contact,
                  const Eigen::VectorXd& certified) {
   const Index pairs = contact.force.size();
   if (pairs == 0) return 0;
   Balance balance(model);
   for (Index pair = 0; pair < pairs; ++pair) {
+    if (balance.bodies_of(pair).acts_elsewhere) continue;
     balance.tell(pair, 0, contact.force(pair));
     balance.hand_on(model.pairs.opening, pair, certified(pair));
   }

@@ -124,6 +124,14 @@ NodalRows contact_rows(const Gaps& gaps, const FrictionLaw& law) {
   return below(gaps.A, -selected_rows(gaps.T, law.pair));
 }
 
+// The plan has all numbers of contact already, because pairs must be found to be counted. So
+// the numbers are moved to where the programme has them, and nothing is computed.
+void take_gaps(Model& model) {
+  model.programme.A.swap(model.gaps.A);
+  model.programme.initial_gap = model.gaps.pairs.initial_gap;
+  model.pairs = std::move(model.gaps.pairs);
+}
+
 // K is large. One body hands over its block without a copy. Several blocks are written
 // column by column in the order of storage, so that nothing is sorted, and each block is
 // freed as soon as it is written. Room for one block more copies all that is there, so of many

@@ -92,6 +92,9 @@ void each_history(SomeBody& body, Visit&& visit) {
 /// \return the rows of the gaps, and below them those of the slips of the law
 [[nodiscard]] NodalRows contact_rows(const Gaps& gaps, const FrictionLaw& law);
 
+/// Moves the pairs of a plan to where the programme has them. \param model  whose `gaps` are of all contacts
+void take_gaps(Model& model);
+
 /// Puts matrices of the bodies along the diagonal of one, without a copy if there is one body only.
 /// \param bodies  one or several, `n` unknowns in all
 /// \param blocks  compressed, one of each body; empty afterwards

@@ -178,18 +178,11 @@ void note_overlap(const Scene& scene, Plan& draft) {
 
 }  // namespace
 
-// The plan has all numbers of contact already, because pairs must be found to be counted. So
-// the numbers are moved to where the programme has them, and nothing is computed.
+// Nothing is left to compute: the numbers of the plan are moved.
 Effect contact() {
   return {"contact",
           [](const Scene& scene, const Plan& /*draft*/) { return !scene.contacts.empty(); },
-          declare_contact,
-          [](Model& model) {
-            model.programme.A.swap(model.gaps.A);
-            model.programme.initial_gap = model.gaps.pairs.initial_gap;
-            model.pairs = std::move(model.gaps.pairs);
-          },
-          true};
+          declare_contact, take_gaps, true};
 }
 
 // An overlap is an effect with nothing to add: g is negative there. But it loads the bodies,

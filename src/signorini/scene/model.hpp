@@ -50,6 +50,8 @@ struct BodyModel {
 struct ContactBodies {
   std::size_t source;                 ///< of the source
   std::optional<std::size_t> target;  ///< of the target; a rigid obstacle has none
+  /// Whether its forces act on more than the places and bodies that its pairs tell, as those of a relation
+  bool acts_elsewhere = false;
 };
 struct Equations;
 struct Model;
