@@ -41,6 +41,14 @@ TEST_CASE("the periodic cell of the examples bears what its layers bear", "[rela
   CHECK(sum.force.x() == Approx((3 * 2000 + 70000) * 0.001).epsilon(1e-10));
 }
 
+// The bolt is three times as stiff as the sleeve, E A / h = 420000 and 140000 in plane stress: it bears 0.04 * 105000 = 4200 and three
+// quarters of what pulls.
+TEST_CASE("the bolt of the examples bears its preload and a share of the load", "[relations][examples]") {
+  const SolvedScene run = run_of("preloaded_bolt");
+  CHECK(bond_forces(run.model, run.solution)[0].force.y() == Approx(-(4200 + 0.75 * 8000)).epsilon(1e-10));
+  CHECK(run.solution.contact.force.sum() == Approx(4200 - 0.25 * 8000).epsilon(1e-10));
+}
+
 // As test_rigid_sides.cpp has it: -F / A - F e x / I, times the height over E.
 TEST_CASE("the plate of the examples tilts by F e h / (E I)", "[rigid-sides][examples]") {
   const SolvedScene run = run_of("tilting_plate");
