@@ -1,7 +1,7 @@
 #!/usr/bin/env perl
 # deck.pl PROGRAM DECKS FOLDER NAME: solves the scene DECKS/NAME.toml with PROGRAM, the command `signorini`, in FOLDER, and compares it with DECKS/references.
-# deck.pl PROGRAM DECKS FOLDER --update: does so with all of them and writes the table of DECKS/README.md anew.
-# deck.pl PROGRAM DECKS FOLDER --check: no scene, mesh or row of that table is without its deck.
+# deck.pl PROGRAM DECKS FOLDER --update: does so with all of them and writes the table of DECKS/README.md anew, and what DECKS/others.csv counts.
+# deck.pl PROGRAM DECKS FOLDER --check: no scene, mesh or row of that table is without its deck, and the counts are those.
 #
 # A row of DECKS/references is `quantity | reference | where the reference stands`, with a fourth part if it has a tolerance of its own, or `differs: why`.
 # A quantity is `WHAT of WHOM`, and behind that, where it has a meaning, ` at PLACE`, ` time T`, ` over W`, by which ours is divided, and ` grown BODY x,y x,y`: ours is multiplied
@@ -231,6 +231,22 @@ sub total {    # how many decks have no row that `differs`, of each project, and
         join(', ', map { sprintf '%s %d of %d', $_, $whole{$_} // 0, $all{$_} } sort { $all{$b} <=> $all{$a} || $a cmp $b } keys %all), $grown, $counts;
 }
 
+sub counted {    # of others.csv: a line for each deck that was read, in quotes where it has commas
+    my ($all, $small, $moving, $unsure, %missing) = (0, 0, 0, 0);
+    for my $line (split /\n/, slurp("$decks/others.csv")) {
+        my @cells = $line =~ /("[^"]*"|[^,]*)(?:,|$)/g;
+        next if $cells[0] eq 'deck';
+        ++$all;
+        ++$small if $cells[3] eq 'yes';
+        ++$moving if $cells[4] eq 'yes';
+        ++$unsure if $cells[4] eq 'unsure';
+        ++$missing{$_} for split /;/, $cells[5];
+    }
+    my @most = sort { $missing{$b} <=> $missing{$a} || $a cmp $b } keys %missing;
+    return sprintf "Of %d decks, %d can be written at small sliding and small strain, %d if bodies move, and of %d we are not sure. The others need %s.\n", $all, $small, $moving, $unsure,
+        join(', ', map { "$_ ($missing{$_})" } @most);
+}
+
 my ($deck, $order) = references();
 my $readme = "$decks/README.md";
 if ($asked eq '--update') {
@@ -238,6 +254,7 @@ if ($asked eq '--update') {
     $table .= table_row($_, $deck->{$_}, compared($_, $deck->{$_})) for @$order;
     my $text = slurp($readme);
     $text =~ s/(<!-- decks -->\n\n).*?(\n<!-- \/decks -->)/$1@{[total($deck, $order)]}\n$table$2/s or die "deck.pl: $readme: no <!-- decks -->\n";
+    $text =~ s/(<!-- others -->\n\n).*?(\n<!-- \/others -->)/$1@{[counted()]}$2/s or die "deck.pl: $readme: no <!-- others -->\n";
     open my $out, '>', $readme or die "deck.pl: $readme: $!\n";
     print $out $text;
     close $out or die "deck.pl: $readme: $!\n";
@@ -249,10 +266,9 @@ if ($asked eq '--check') {
     my @told = slurp($readme) =~ /^\| \[(\w+)\]\(/mg;
     print "no deck of references needs $_\n" for @idle;
     print "the table of README.md has other decks than references, or in another order: run --update\n" if "@told" ne "@$order";
-    my $total = total($deck, $order);
-    my $counted = index(slurp($readme), $total) >= 0;
-    print "README.md should say: $total" if !$counted;
-    exit(@idle || "@told" ne "@$order" || !$counted ? 1 : 0);
+    my @unsaid = grep { index(slurp($readme), $_) < 0 } total($deck, $order), counted();
+    print "README.md should say: $_" for @unsaid;
+    exit(@idle || "@told" ne "@$order" || @unsaid ? 1 : 0);
 }
 die "deck.pl: no deck '$asked' in references\n" if !$deck->{$asked};
 my @rows = compared($asked, $deck->{$asked});
