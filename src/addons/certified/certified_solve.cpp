@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "addons/certified/certified_end.hpp"
+#include "addons/certified/expected_end.hpp"
 #include "addons/certified/many_bodies.hpp"
 #include "addons/certified/separate.hpp"
 #include "addons/certified/solve_with_proofs.hpp"
@@ -66,7 +67,7 @@ class CertifiedSolve {
 bool CertifiedSolve::settle(const ContactState& claim) {
   const Ledger::Phase phase(sets_.ledger, "refinement");
   const PrimalDual* const expected = std::exchange(expected_, nullptr);
-  if (expected != nullptr && sets_.goes_on(claim.contact_status, *expected)) return true;
+  if (expected != nullptr && ends_as_expected(claim.contact_status, *expected, sets_)) return true;
   const VectorXd force = expected != nullptr ? sets_.here.now.force : all_forces(claim);
   if (data_.null_vectors.cols() == 0 || claim.report.status != SolveStatus::Solved)
     return exchange(claim.contact_status, force);

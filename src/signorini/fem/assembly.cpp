@@ -112,7 +112,7 @@ CellMatrix cell_stiffness(const Element& element, const CellBody& cell) {
   with_rows(cell.D.rows(), [&](auto n_rows) {
     const auto& D = fixed_rows<n_rows>(cell.D);
     for (int i = 0; i < points.size; ++i) {
-      const StrainPoint& point = points.point[static_cast<std::size_t>(i)];
+      const StrainPoint& point = points.point[at(i)];
       const auto& B = fixed_rows<n_rows>(point.B);
       const FixedRows<n_rows> stress = point.volume * D * B;
       K.noalias() += B.transpose() * stress;

@@ -72,7 +72,7 @@ PointStress stress_in(const Cell& cell, const NodeArray& displacements,
   PointStrains free;
   if (eigenstrain) free = eigenstrains(cell, points, eigenstrain);
   for (int i = 0; i < points.size; ++i) {
-    const StrainPoint& point = points.point[static_cast<std::size_t>(i)];
+    const StrainPoint& point = points.point[at(i)];
     const double across = eigenstrain ? eigenstrain(cell.material, position(cell, point))(3) : 0;
     stress.row(i) =
         stress_at(point, cell, u, eigenstrain ? free.col(i).data() : nullptr, across).transpose();
@@ -115,7 +115,7 @@ Eigen::MatrixXd extrapolation(const Element& element, const StrainPoints& points
   };
   Eigen::MatrixXd at_points(points.size, n_terms);
   for (int i = 0; i < points.size; ++i) {
-    const Eigen::Vector2d& local = points.point[static_cast<std::size_t>(i)].local;
+    const Eigen::Vector2d& local = points.point[at(i)].local;
     at_points.row(i) = monomials(local.x(), local.y());
   }
   const CellNodes nodes = reference_nodes(element);
@@ -144,8 +144,7 @@ StressArray nodal_stress(const Mesh& mesh, const Element& element, const Materia
         Eigen::MatrixXd& to_nodes = of_kind[kind];
         std::call_once(made[kind], [&] { to_nodes = extrapolation(cell.element, points); });
         at_nodes.resize(to_nodes.rows(), 4);
-        for (Index k = 0; k < at_nodes.rows(); ++k)
-          at_nodes.row(k) = to_nodes.row(k) * at_points;
+        for (Index k = 0; k < at_nodes.rows(); ++k) at_nodes.row(k) = to_nodes.row(k) * at_points;
       },
       [&](Index cell, const AtNodes& at_nodes) {
         for (Index k = 0; k < at_nodes.rows(); ++k) {
@@ -171,7 +170,7 @@ StressArray cell_stress(const Mesh& mesh, const Element& element, const Material
         double volume = 0;
         mean.setZero();
         for (int i = 0; i < points.size; ++i) {
-          const double share = points.point[static_cast<std::size_t>(i)].volume;
+          const double share = points.point[at(i)].volume;
           mean += share * at_points.row(i);
           volume += share;
         }
@@ -199,7 +198,7 @@ double strain_energy(const Mesh& mesh, const Element& element, const MaterialFie
     const CellVector u = gathered(cell, displacements);
     with_rows(cell.body.D.rows(), [&](auto n_rows) {
       for (int i = 0; i < points.size; ++i) {
-        const StrainPoint& point = points.point[static_cast<std::size_t>(i)];
+        const StrainPoint& point = points.point[at(i)];
         const Eigen::Matrix<double, n_rows, 1> strain = fixed_rows<n_rows>(point.B) * u;
         energy += 0.5 * point.volume * strain.dot(fixed_rows<n_rows>(cell.body.D) * strain);
       }

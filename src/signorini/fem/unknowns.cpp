@@ -120,7 +120,7 @@ Support prescribed_at(const std::string& boundary, const Eigen::Vector2d& point,
 /// Numbers of unknowns mean nothing outside of this program. Messages speak of nodes, places and
 /// directions.
 std::string Unknowns::describe(const Mesh& mesh, Index unknown) const {
-  const Index node = node_of[static_cast<std::size_t>(unknown)];
+  const Index node = node_of[at(unknown)];
   return text("node ", node, " at (", mesh.nodes(node, 0), ", ", mesh.nodes(node, 1),
               "), direction ", number(node, 0) == unknown ? 'x' : 'y');
 }
@@ -129,7 +129,7 @@ std::string Unknowns::describe(const Mesh& mesh, Index unknown) const {
 NodeArray unknown_positions(const Mesh& mesh, const Unknowns& unknowns) {
   NodeArray positions(unknowns.count, 2);
   for (Index k = 0; k < unknowns.count; ++k)
-    positions.row(k) = mesh.nodes.row(unknowns.node_of[static_cast<std::size_t>(k)]);
+    positions.row(k) = mesh.nodes.row(unknowns.node_of[at(k)]);
   return positions;
 }
 
@@ -183,7 +183,7 @@ Unknowns joined(const std::vector<Unknowns>& bodies) {
     n_nodes += body.number.rows();
     n_unknowns += body.count;
   }
-  all.node_of.reserve(static_cast<std::size_t>(n_unknowns));
+  all.node_of.reserve(at(n_unknowns));
   all.number.resize(n_nodes, 2);
   all.held.resize(n_nodes, 2);
   Index first = 0;

@@ -50,8 +50,6 @@ struct Refinement {
   Index sweeps = 0;
 
   VectorXd push(const VectorXd& load);
-  VectorXd close(const VectorXd& h, const VectorXd& work);
-  [[nodiscard]] bool felt(const VectorXd& pushed) const;
   bool sweep();
 };
 
@@ -63,36 +61,8 @@ VectorXd Refinement::push(const VectorXd& load) {
   return moved;
 }
 
-// The closed rows that something can push on. A slip that supports prescribe is closed, too, but its row of A is empty: a force
-// there would stand in no equilibrium, and it keeps none.
-ActiveSet pushing_set(const RefinementData& data, const std::vector<ContactStatus>& statuses) {
-  ActiveSet set = active_set(statuses, data.condensed.law);
-  const auto empty = [&](Index row) { return data.programme.A.row(row).norm() == 0; };
-  set.closed.erase(std::remove_if(set.closed.begin(), set.closed.end(), empty), set.closed.end());
-  return set;
-}
-
-// Adds to the forces what closes gaps h, and holds what works along rigid motions. `scale` and `inverse` lead to the equilibrated
-// problem, which the system is that of, and back. \return how far bodies go, in amplitudes of that problem
-VectorXd Refinement::close(const VectorXd& h, const VectorXd& work) {
-  VectorXd& force = result.solution.force;
-  const VectorXd scale = data.scaled.scale(system.rows);
-  auto [closes, turn] = system.solve(-scale.cwiseProduct(h), -work);
-  for (Index k = 0; k < closes.size(); ++k)
-    add_to(force(system.rows[at(k)]), low(system.rows[at(k)]), scale(k) * closes(k));
-  impose(set, force, low);
-  return std::move(turn);
-}
-
-// Whether other forces are more than rounding of all, or move anything by more than that.
-bool Refinement::felt(const VectorXd& pushed) const {
-  const PrimalDual& u = result.solution;
-  const auto counts = [](double part) { return part > 0.25 * epsilon; };
-  return counts(relative(pushed, u.force)) ||
-         counts(relative(data.condensed.compliance * pushed, u.displacement));
-}
-
 // One sweep, as above. The second part of the forces counts in r by a plain product, which is exact enough.
+// `scale` and `inverse` lead to the equilibrated problem, which the system is that of, and back.
 //
 // While bodies are moved rigidly the next r has what the forces push. From then on u follows at once, and the
 // end may be foreseen. That second solve is left out where forces change by rounding only, and move nothing more
@@ -105,10 +75,15 @@ bool Refinement::sweep() {
   VectorXd r = equilibrium_residual(data.programme, u) - A.transpose() * low;
   if (data.spread) r = data.spread(r, u.force + low, system.rows);
   VectorXd moved = push(r);
+  const VectorXd scale = data.scaled.scale(system.rows);
+  const VectorXd h = gaps(data.programme, u)(system.rows);
+  const auto [closes, turn] = system.solve(-scale.cwiseProduct(h), -modes.transpose() * r);
   const VectorXd last = u.force, last_low = low;
-  const VectorXd turn = close(gaps(data.programme, u)(system.rows), modes.transpose() * r);
+  for (Index k = 0; k < closes.size(); ++k)
+    add_to(u.force(system.rows[at(k)]), low(system.rows[at(k)]), scale(k) * closes(k));
+  impose(set, u.force, low);
   const VectorXd pushed = (u.force - last) + (low - last_low);
-  if (steady && felt(pushed)) moved += push(-(A.transpose() * pushed));
+  if (steady && is_felt(data, u, pushed)) moved += push(-(A.transpose() * pushed));
   if (floats) {
     const VectorXd amplitude = data.scaled.inverse * turn;
     result.amplitude += amplitude;
@@ -124,16 +99,26 @@ bool Refinement::sweep() {
 
 }  // namespace
 
-// Before the first sweep u follows the forces that it does not belong to yet, and the springs that ground a body give it back. A u in
+// Forces that are rounding of the largest one may still turn a slender body: what they move counts as well.
+bool is_felt(const RefinementData& data, const PrimalDual& solution, const VectorXd& pushed) {
+  const double moved = relative(data.condensed.compliance * pushed, solution.displacement);
+  return std::max(relative(pushed, solution.force), moved) > 0.25 * epsilon;
+}
+
+// A closed row that nothing can push on, a slip that supports prescribe, keeps no force. Before the first sweep u
+// follows the forces that it does not belong to yet, and the springs that ground a body give it back. A u in
 // one double was never refined: all of it counts as a correction.
 RefinedSolution iterative_refinement(const RefinementData& data, PrimalDual start,
                                      const VectorXd& force,
                                      const std::vector<ContactStatus>& statuses) {
   const auto& A = data.programme.A;
-  Refinement now{data, pushing_set(data, statuses),
+  const auto empty = [&](Index row) { return A.row(row).norm() == 0; };
+  Refinement now{data, active_set(statuses, data.condensed.law),
                  active_set_system(data.scaled, active_set(statuses, data.scaled.law)),
                  MatrixXd(start.displacement.size(), 0)};
   if (data.null_vectors.cols() > 0) now.modes = data.null_vectors * data.scaled.inverse;
+  std::vector<Index>& closed = now.set.closed;
+  closed.erase(std::remove_if(closed.begin(), closed.end(), empty), closed.end());
   RefinedSolution& result = now.result;
   result.amplitude.setZero(data.null_vectors.cols());
   PrimalDual& u = result.solution = std::move(start);
@@ -152,36 +137,6 @@ RefinedSolution iterative_refinement(const RefinementData& data, PrimalDual star
   result.movement = gaps(data.programme, u);
   result.system = std::make_shared<const ActiveSetSystem>(std::move(now.system));
   return std::move(result);
-}
-
-// A whole sweep is not always needed. Between two loads of a path that go on in proportion, everything is linear until a pair
-// changes, and u and its forces can be foretold with all their digits. Say the forces 2 and 4 at loads of 1 and 2 foretell 6 at
-// the load 3, but a neighbour closes on the way and takes a part of it. Its overlap is what the foretold u leaves, and one
-// solve of the system says which forces close it.
-//
-// Forces that the statuses exclude are dropped, and those of pairs that slide take their bound. What that does to the gaps the
-// compliance tells: it is small, and so are the errors of the compliance beside it. If nothing changes, nothing is solved. If
-// something does, the solve takes along what was out of balance.
-RefinedSolution corrected_once(const RefinementData& data, PrimalDual expected,
-                               const std::vector<ContactStatus>& statuses) {
-  Refinement now{data, pushing_set(data, statuses),
-                 active_set_system(data.scaled, active_set(statuses, data.scaled.law)),
-                 MatrixXd(expected.displacement.size(), 0)};
-  const auto& A = data.programme.A;
-  PrimalDual& u = now.result.solution = std::move(expected);
-  now.low = std::move(u.force_low);
-  const VectorXd last = u.force, last_low = now.low;
-  const auto changed = [&] { return VectorXd((u.force - last) + (now.low - last_low)); };
-  impose(now.set, u.force, now.low);
-  const VectorXd h =
-      (gaps(data.programme, u) + data.condensed.compliance * changed())(now.system.rows);
-  now.close(h, VectorXd(0));
-  if (now.felt(changed())) now.push(equilibrium_residual(data.programme, u) - A.transpose() * now.low);
-  u.force_low = std::move(now.low);
-  now.result.movement = gaps(data.programme, u);
-  now.result.system = std::make_shared<const ActiveSetSystem>(std::move(now.system));
-  now.result.settled = true;
-  return std::move(now.result);
 }
 
 }  // namespace signorini

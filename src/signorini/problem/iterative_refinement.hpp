@@ -77,16 +77,10 @@ struct RefinedSolution {
                                                    const Eigen::VectorXd& force,
                                                    const std::vector<ContactStatus>& statuses);
 
-/// Corrects forces once, where u and forces are in balance and known so well that nothing but what the pairs do has changed.
-///
-/// What is left of the gaps asks for other forces, and one solve tells what these push. Nothing is said of how exact the end
-/// is: for that there is the certificate.
-/// \param data      the problem; no rigid modes
-/// \param expected  u in two parts and forces that balance the load
-/// \param statuses  `n_c`
-/// \return the corrected numbers, called settled
-[[nodiscard]] RefinedSolution corrected_once(const RefinementData& data, PrimalDual expected,
-                                             const std::vector<ContactStatus>& statuses);
+/// Whether a change of forces is more than rounding, of them or of what it moves.
+/// \param data  the problem \param solution  u and forces \param pushed  the change, of all rows [force] \return whether
+[[nodiscard]] bool is_felt(const RefinementData& data, const PrimalDual& solution,
+                           const Eigen::VectorXd& pushed);
 
 /// What is out of balance along rigid modes.
 /// \param programme     K, p, A

@@ -141,10 +141,9 @@ VectorXd equilibrium_residual(const QuadraticProgramme& programme, const PrimalD
   });
   for (Index pair = 0; pair < programme.A.rows(); ++pair)
     for (RowMatrix::InnerIterator entry(programme.A, pair); entry; ++entry)
-      sums[static_cast<std::size_t>(entry.col())].add_product(-entry.value(), solution.force(pair));
+      sums[at(entry.col())].add_product(-entry.value(), solution.force(pair));
   VectorXd residual(programme.load.size());
-  for (Index i = 0; i < residual.size(); ++i)
-    residual(i) = sums[static_cast<std::size_t>(i)].value();
+  for (Index i = 0; i < residual.size(); ++i) residual(i) = sums[at(i)].value();
   return residual;
 }
 

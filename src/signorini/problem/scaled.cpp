@@ -133,8 +133,8 @@ double force_scale(const MatrixXd& compliance) {
   VectorXd sums = VectorXd::Zero(compliance.rows());
   for (Index column = 0; column < compliance.cols(); ++column)  // as they lie in memory
     sums += compliance.col(column).cwiseAbs();
-  const double largest = sums.size() == 0 ? 0 : sums.maxCoeff();
-  return largest > 0 ? largest : 1;
+  const double most = largest(sums);
+  return most > 0 ? most : 1;
 }
 
 // P F P. Contact alone may hold a body. F then contains the springs that ground it, and these

@@ -16,6 +16,7 @@
 #include <array>
 #include <cmath>
 
+#include "signorini/core/index.hpp"
 #include "signorini/core/plane.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/scene/bodies.hpp"
@@ -78,7 +79,7 @@ class Balance {
     const Pairs& pairs = model_.pairs;
     const Vector2d n = pairs.normal.row(pair).transpose();
     const Vector2d direction = which == 0 ? n : Vector2d(n.y(), -n.x());
-    const ContactBodies& bodies = bodies_of(pair);
+    const ContactBodies& bodies = model_.contact_bodies[model_.contact_of[at(pair)]];
     const Vector2d x = pairs.position.row(pair).transpose();
     const auto act = [&](std::size_t body, const Vector2d& along, double moment) {
       add(sums_[body], force, along, moment + cross(x - extents_[body].middle, along));
@@ -113,16 +114,10 @@ class Balance {
       for (int k = axial ? 1 : 0; k < (axial ? 2 : 3); ++k) {
         const double size = largest_force * (k == 2 ? extents_[body].reach : 1);
         const double rounding = k == 2 ? extents_[body].rounding * pushed_[body] : 0;
-        const double off =
-            static_cast<double>(std::abs(sums_[body][static_cast<std::size_t>(k)])) - rounding;
+        const double off = static_cast<double>(std::abs(sums_[body][at(k)])) - rounding;
         if (off > 0) worst = std::max(worst, off / size);
       }
     return worst;
-  }
-
-  // Which bodies a reader adds the force of a pair to, by the contact that the pair is of.
-  [[nodiscard]] const ContactBodies& bodies_of(Index pair) const {
-    return model_.contact_bodies[model_.contact_of[static_cast<std::size_t>(pair)]];
   }
 
  private:
@@ -146,7 +141,7 @@ double imbalance(const Model& model, const ContactState& contact,
   if (pairs == 0) return 0;
   Balance balance(model);
   for (Index pair = 0; pair < pairs; ++pair) {
-    if (balance.bodies_of(pair).acts_elsewhere) continue;
+    if (model.contact_bodies[model.contact_of[at(pair)]].acts_elsewhere) continue;
     balance.tell(pair, 0, contact.force(pair));
     balance.hand_on(model.pairs.opening, pair, certified(pair));
   }

@@ -88,9 +88,8 @@ std::vector<std::string> contact_names(const std::vector<BodyModel>& bodies,
   std::vector<std::string> names;
   for (const ContactSpec& contact : contacts) {
     const Obstacle* const obstacle = std::get_if<Obstacle>(&contact.target);
-    const std::string plain =
-        text(name(contact.source), " on ",
-             obstacle != nullptr ? obstacle->name : name(std::get<Side>(contact.target)));
+    const std::string other = obstacle ? obstacle->name : name(std::get<Side>(contact.target));
+    const std::string plain = text(name(contact.source), " on ", other);
     std::string own = plain;
     for (int count = 2; std::find(names.begin(), names.end(), own) != names.end(); ++count)
       own = text(plain, " (", count, ')');

@@ -82,7 +82,7 @@ std::vector<char> can_slide(const Scene& scene, const Plan& draft) {
 bool on_line_of_symmetry(const Scene& scene, const Plan& draft, Index pair) {
   constexpr double least_corner =
       pi / 8;  // a side and its image that turn by more meet in a corner
-  const Index node = draft.gaps.pairs.node[static_cast<std::size_t>(pair)];
+  const Index node = draft.gaps.pairs.node[at(pair)];
   if (node < 0) return false;
   const std::size_t b = body_of_node(draft.bodies, node);
   const BodyModel& body = draft.bodies[b];
@@ -105,8 +105,7 @@ bool on_line_of_symmetry(const Scene& scene, const Plan& draft, Index pair) {
 void note_idle_friction(const Scene& scene, Plan& draft) {
   std::vector<bool> has_pairs(scene.contacts.size()), slides(scene.contacts.size());
   for (const std::size_t contact : draft.contact_of) has_pairs[contact] = true;
-  for (const Index pair : draft.law.pair)
-    slides[draft.contact_of[static_cast<std::size_t>(pair)]] = true;
+  for (const Index pair : draft.law.pair) slides[draft.contact_of[at(pair)]] = true;
   for (std::size_t k = 0; k < scene.contacts.size(); ++k)
     if (has_friction(scene.contacts[k]) && has_pairs[k] && !slides[k])
       draft.notes.push_back(describe(draft.bodies, scene.contacts[k]) +
@@ -126,8 +125,8 @@ void take_bounds(const Scene& scene, Plan& draft) {
     try {
       const FrictionLawMember& member = find_friction_law(contact.friction->law);
       for (Index k = 0; k < law.coefficient.size(); ++k) {
-        const Index pair = law.pair[static_cast<std::size_t>(k)];
-        if (draft.contact_of[static_cast<std::size_t>(pair)] != c) continue;
+        const Index pair = law.pair[at(k)];
+        if (draft.contact_of[at(pair)] != c) continue;
         const FrictionBound bound = member.bound(*contact.friction, draft.gaps.pairs.weight(pair));
         law.coefficient(k) = bound.slope;
         law.cohesion(k) = bound.offset;

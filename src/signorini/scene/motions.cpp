@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "signorini/core/dense.hpp"
+#include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"
 #include "signorini/core/sparse_lu.hpp"
 #include "signorini/core/wording.hpp"
@@ -59,8 +60,7 @@ std::pair<Index, Index> moved_unknowns(const FreeMotion& mode) {
 Eigen::SparseMatrix<double> mode_entries(const std::vector<FreeMotion>& modes) {
   Eigen::SparseMatrix<double> shapes(modes.empty() ? 0 : modes.front().shape.size(),
                                      static_cast<Index>(modes.size()));
-  for (Index k = 0; k < shapes.cols(); ++k)
-    shapes.col(k) = modes[static_cast<std::size_t>(k)].shape;
+  for (Index k = 0; k < shapes.cols(); ++k) shapes.col(k) = modes[at(k)].shape;
   return shapes;
 }
 
@@ -171,16 +171,12 @@ std::vector<Index> grounding(const std::vector<FreeMotion>& modes) {
       last = std::max(last, high);
     }
     const Index count = static_cast<Index>(end - begin);
-    Eigen::MatrixXd shapes(count, last - first);
-    shapes.setZero();
+    Eigen::MatrixXd shapes = Eigen::MatrixXd::Zero(count, last - first);
     for (Index k = 0; k < count; ++k)
-      for (Eigen::SparseVector<double>::InnerIterator it(
-               modes[begin + static_cast<std::size_t>(k)].shape);
-           it; ++it)
+      for (Eigen::SparseVector<double>::InnerIterator it(modes[begin + at(k)].shape); it; ++it)
         shapes(k, it.index() - first) = it.value();
     const std::vector<Index> order = column_span(shapes).order;
-    for (Index k = 0; k < count; ++k)
-      unknowns.push_back(first + order[static_cast<std::size_t>(k)]);
+    for (Index k = 0; k < count; ++k) unknowns.push_back(first + order[at(k)]);
   }
   return unknowns;
 }

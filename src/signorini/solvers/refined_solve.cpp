@@ -44,11 +44,9 @@ void refine(const RefinementData& data, const VectorXd& free_displacement, Ledge
   const Ledger::Phase phase(ledger, "refinement");
   std::vector<ContactStatus> statuses = end.state.contact_status;
   VectorXd force = all_forces(end.state);
-  RefinedSets sets{data,
-                   ledger,
-                   end,
-                   {{free_displacement, {}, VectorXd::Zero(force.size())},
-                    VectorXd::Zero(data.null_vectors.cols())}};
+  PrimalDual untouched{free_displacement, {}, VectorXd::Zero(force.size())};
+  const VectorXd none = VectorXd::Zero(data.null_vectors.cols());
+  RefinedSets sets{data, ledger, end, {std::move(untouched), none}};
   // A motion that the closed pairs leave open must begin where the claim has it.
   if (data.null_vectors.cols() > 0 && end.state.report.status == SolveStatus::Solved) {
     sets.here.amplitude = end.state.amplitude;
@@ -109,13 +107,6 @@ bool usable(const ContactState& claim, Index pairs) {
 SignCheck RefinedSets::refine(const std::vector<ContactStatus>& of, const VectorXd& force) {
   here.last = iterative_refinement(data, std::move(here.now), force, of);
   return take(of);
-}
-
-// Between two loads of a path nothing may change but sizes. Then one correction is enough, and mostly none. The certificate
-// says whether it was: a tenth of what it lets pass, so that errors of many steps do not add up to more.
-bool RefinedSets::goes_on(const std::vector<ContactStatus>& of, const PrimalDual& expected) {
-  here.last = corrected_once(data, expected, of);
-  return take(of).confirmed && end.certificate.worst() <= 0.1 * certificate_tolerance;
 }
 
 SignCheck RefinedSets::take(const std::vector<ContactStatus>& of) {

@@ -54,11 +54,7 @@ struct RefinedSets {
   /// Refines one more set; it is the best if all its signs are right, or if no certificate before was better.
   /// \param of     statuses `n_c` \param force  of all rows, to begin with [force] \return what check_signs() says
   SignCheck refine(const std::vector<ContactStatus>& of, const Eigen::VectorXd& force);
-  /// Corrects what was expected, once. \param of  statuses `n_c` \param expected  u in two parts, and forces that balance the load
-  /// \return whether that is the end: all signs are right, and the certificate is ten times better than it must be
-  bool goes_on(const std::vector<ContactStatus>& of, const PrimalDual& expected);
-
- private:
+  /// Looks at what refinement made of a set, as refine() does. \param of  its statuses `n_c` \return what check_signs() says
   SignCheck take(const std::vector<ContactStatus>& of);
 };
 
