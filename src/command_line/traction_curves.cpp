@@ -17,10 +17,13 @@ namespace {
 using namespace signorini;
 using Eigen::Index;
 
-/// Where the source of a contact begins; its first nodes may be held and have no pair.
-Eigen::RowVector2d start_of(const SceneRun& run, std::size_t contact) {
+/// Where the source of a contact begins; its first nodes may be held and have no pair. A relation begins with its first pair.
+Eigen::RowVector2d start_of(const SceneRun& run, Index first) {
+  const Model& model = *run.model;
+  const std::size_t contact = model.contact_of[static_cast<std::size_t>(first)];
+  if (model.contact_bodies[contact].acts_elsewhere) return model.pairs.position.row(first);
   const Side& source = run.file.scene.contacts[contact].source;
-  const Mesh& mesh = run.model->bodies[body_index(run.model->bodies, source)].mesh;
+  const Mesh& mesh = model.bodies[body_index(model.bodies, source)].mesh;
   return mesh.nodes.row(boundary_nodes(mesh, source.boundary).front());
 }
 
@@ -54,7 +57,7 @@ std::vector<TractionCurve> traction_curves(const SceneRun& run) {
     curve.name = model.contacts[contact];
     Eigen::AlignedBox<double, 1> closed;
     double way = 0;
-    Eigen::RowVector2d before = start_of(run, contact);
+    Eigen::RowVector2d before = start_of(run, first);
     for (end = first;
          end < pressure.size() && model.contact_of[static_cast<std::size_t>(end)] == contact;
          ++end) {

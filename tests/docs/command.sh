@@ -193,6 +193,7 @@ written ''
 holds 'a device stays one' test -c /dev/null
 if command -v gnuplot > /dev/null 2>&1; then
     expect 0 solved solve "$cantilever" --plot "outputs/it's.svg"
+    expect 0 'contact relation 2' solve "$examples/preloaded_bolt.toml" --plot outputs/a.svg
     holds 'a picture' grep -q '</svg>' "outputs/it's.svg"
     expect 0 solved solve "$examples/punch.toml" --plot outputs/a.png
     expect 0 solved solve "$examples/punch.toml" --plot outputs/a.pdf
