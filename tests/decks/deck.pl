@@ -1,6 +1,6 @@
 #!/usr/bin/env perl
 # deck.pl PROGRAM DECKS FOLDER NAME: solves the scene DECKS/NAME.toml with PROGRAM, the command `signorini`, in FOLDER, and compares it with DECKS/references.
-# deck.pl PROGRAM DECKS FOLDER --update: does so with all of them and writes the table of DECKS/README.md anew, and what DECKS/others.csv counts.
+# deck.pl PROGRAM DECKS FOLDER --update: does so with all of them and writes the table of DECKS/README.md anew, and what DECKS/needs.csv counts.
 # deck.pl PROGRAM DECKS FOLDER --check: no scene, mesh or row of that table is without its deck, and the counts are those.
 #
 # A row of DECKS/references is `quantity | reference | where the reference stands`, with a fourth part if it has a tolerance of its own, or `differs: why`.
@@ -231,20 +231,26 @@ sub total {    # how many decks have no row that `differs`, of each project, and
         join(', ', map { sprintf '%s %d of %d', $_, $whole{$_} // 0, $all{$_} } sort { $all{$b} <=> $all{$a} || $a cmp $b } keys %all), $grown, $counts;
 }
 
-sub counted {    # of others.csv: a line for each deck that was read, in quotes where it has commas
-    my ($all, $small, $moving, $unsure, %missing) = (0, 0, 0, 0);
-    for my $line (split /\n/, slurp("$decks/others.csv")) {
-        my @cells = $line =~ /("[^"]*"|[^,]*)(?:,|$)/g;
-        next if $cells[0] eq 'deck';
+sub counted {    # of needs.csv: a line for each deck, in quotes where it has commas
+    my ($deck) = @_;
+    my ($all, $small, $moving, $unsure, $here, %missing) = (0, 0, 0, 0, 0);
+    for my $line (split /\n/, slurp("$decks/needs.csv")) {
+        my ($name, undef, undef, @cells) = map { s/^"|"$//gr } $line =~ /("[^"]*"|[^,]*)(?:,|$)/g;
+        next if $name eq 'deck';
+        my ($at_rest, $if_bodies_move, $missing, undef, $scenes) = @cells;
+        die "needs.csv: $name: small and moving are yes, no or unsure\n" if grep { !/^(yes|no|unsure)$/ } $at_rest, $if_bodies_move;
+        die "needs.csv: $name: what cannot be written, and nothing else, misses something\n" if ($if_bodies_move eq 'no') != ($missing ne '');
+        for (split ' ', $scenes // '') { die "needs.csv: $name: no scene '$_', or the deck cannot be written\n" if !$deck->{$_} || $if_bodies_move ne 'yes' }
         ++$all;
-        ++$small if $cells[3] eq 'yes';
-        ++$moving if $cells[4] eq 'yes';
-        ++$unsure if $cells[4] eq 'unsure';
-        ++$missing{$_} for split /;/, $cells[5];
+        ++$small if $at_rest eq 'yes';
+        ++$moving if $if_bodies_move eq 'yes';
+        ++$unsure if $if_bodies_move eq 'unsure';
+        ++$here if $scenes;
+        ++$missing{$_} for split /;/, $missing;
     }
     my @most = sort { $missing{$b} <=> $missing{$a} || $a cmp $b } keys %missing;
-    return sprintf "Of %d decks, %d can be written at small sliding and small strain, %d if bodies move, and of %d we are not sure. The others need %s.\n", $all, $small, $moving, $unsure,
-        join(', ', map { "$_ ($missing{$_})" } @most);
+    return sprintf "Of %d decks, %d can be written at small sliding and small strain, %d if bodies move, and of %d we are not sure; %d are here. The others need %s.\n", $all, $small,
+        $moving, $unsure, $here, join(', ', map { "$_ ($missing{$_})" } @most);
 }
 
 my ($deck, $order) = references();
@@ -254,7 +260,7 @@ if ($asked eq '--update') {
     $table .= table_row($_, $deck->{$_}, compared($_, $deck->{$_})) for @$order;
     my $text = slurp($readme);
     $text =~ s/(<!-- decks -->\n\n).*?(\n<!-- \/decks -->)/$1@{[total($deck, $order)]}\n$table$2/s or die "deck.pl: $readme: no <!-- decks -->\n";
-    $text =~ s/(<!-- others -->\n\n).*?(\n<!-- \/others -->)/$1@{[counted()]}$2/s or die "deck.pl: $readme: no <!-- others -->\n";
+    $text =~ s/(<!-- needs -->\n\n).*?(\n<!-- \/needs -->)/$1@{[counted($deck)]}$2/s or die "deck.pl: $readme: no <!-- needs -->\n";
     open my $out, '>', $readme or die "deck.pl: $readme: $!\n";
     print $out $text;
     close $out or die "deck.pl: $readme: $!\n";
@@ -266,7 +272,7 @@ if ($asked eq '--check') {
     my @told = slurp($readme) =~ /^\| \[(\w+)\]\(/mg;
     print "no deck of references needs $_\n" for @idle;
     print "the table of README.md has other decks than references, or in another order: run --update\n" if "@told" ne "@$order";
-    my @unsaid = grep { index(slurp($readme), $_) < 0 } total($deck, $order), counted();
+    my @unsaid = grep { index(slurp($readme), $_) < 0 } total($deck, $order), counted($deck);
     print "README.md should say: $_" for @unsaid;
     exit(@idle || "@told" ne "@$order" || @unsaid ? 1 : 0);
 }

@@ -94,6 +94,47 @@ TEST_CASE("a relation of one displacement is contact with a half-plane", "[one_s
   CHECK((one.solution.pressure - two.solution.pressure).cwiseAbs().maxCoeff() <= 1e-12 * most);
 }
 
+// The bottom rubs on a plane, the right side comes to a stop: as a second contact, and as a relation behind the first one. Pressed first, then pulled.
+TEST_CASE("a relation stands behind a contact with friction, in load steps, too", "[one_sided][steps]") {
+  Scene relation = one_bar(0, {{{{"right", "bar"}, {}, {1, 0}, 1}}, 0.002, {}, Holds::AtMost});
+  relation.bodies[0].supports.clear();
+  EdgeLoad& press = relation.bodies[0].loads.edges[0];
+  press.traction = [](const Vector2d& x) { return Vector2d(0, -4 - x.x()); };
+  press.history = "press";
+  EdgeLoad pull = press;
+  pull.boundary = "left";
+  pull.traction = [](const Vector2d&) { return Vector2d(2, 0); };
+  pull.history = "pull";
+  relation.bodies[0].loads.edges.push_back(pull);
+  relation.path = Path{{0.5, 1, 1.5, 2}, {{"press", {0, 1}, {0, 1}}, {"pull", {1, 2}, {0, 1}}}};
+  ContactSpec ground;
+  ground.source = {"bottom", "bar"};
+  ground.target = half_plane({0, 0}, {0, 1});
+  ground.friction = Friction{0.3};
+  relation.contacts = {ground};
+  Scene contact = relation;
+  contact.bonds = nullptr;
+  ContactSpec stop;
+  stop.source = {"right", "bar"};
+  stop.target = half_plane({2.002, 0}, {-1, 0});
+  contact.contacts.push_back(stop);
+  std::vector<Solution> one, two;
+  const auto keep = [](std::vector<Solution>& all) {
+    return [&all](const Model&, const Step& step) { all.push_back(step.solution); };
+  };
+  REQUIRE(solve_steps(relation, keep(one)).status == SolveStatus::Solved);
+  REQUIRE(solve_steps(contact, keep(two)).status == SolveStatus::Solved);
+  REQUIRE(one.size() == two.size());
+  for (std::size_t k = 0; k < one.size(); ++k) {
+    CAPTURE(k);
+    CHECK(one[k].contact.contact_status == two[k].contact.contact_status);
+    const double most = two[k].contact.force.maxCoeff();
+    CHECK((one[k].contact.force - two[k].contact.force).cwiseAbs().maxCoeff() <= 1e-11 * most);
+    CHECK((one[k].contact.friction - two[k].contact.friction).cwiseAbs().maxCoeff() <= 1e-11 * most);
+  }
+  CHECK(one.back().contact.force.tail(4).sum() > 0.1 * one.back().contact.force.sum());
+}
+
 // Bars of stiffness 1000 and 2000: u1 = (10 - 2 f) / 1000 and u2 = -f / 2000, and 2 u1 + u2 = 0.01 says f (0.004 + 0.0005) = 0.01.
 TEST_CASE("a force on a lever acts on all terms", "[one_sided]") {
   Scene scene;
@@ -119,7 +160,7 @@ TEST_CASE("a number is reached where supports have moved the other side to", "[o
   CHECK(support_forces(run.model, run.solution, 1).col(1).sum() == Approx(-4).epsilon(1e-11));
 }
 
-// Two relations are all that holds the bar along y, and a third one is never reached.
+// A relation is all that holds the bar along y, and another one is never reached.
 TEST_CASE("relations stop rigid motions", "[one_sided]") {
   Scene scene = one_bar(-5, {{term({"top", "bar"})}, 1, {}, Holds::AtMost});
   scene.bodies[0].supports = {symmetric("left")};
@@ -182,7 +223,7 @@ TEST_CASE("a bolt is drawn together by a length", "[one_sided][pretension]") {
   CHECK(support_forces(run.model, run.solution, 0).col(1).sum() == Approx(-(pull + seat)).epsilon(1e-11));
 }
 
-// The pull grows to 6 and the sleeve is raised to 0.02: a share t of both leaves (0.04 + 0.02 t) 75 - 0.75 * 6 t, which is 0 at t = 1.
+// The pull grows to 6 at the time 1 and the sleeve is raised to 0.02: a share t of both leaves (0.04 + 0.02 t) 75 - 0.75 * 6 t, which is 0 at t = 1.
 TEST_CASE("load steps close and open what holds up to a number", "[one_sided][steps]") {
   Scene scene = bolt(6, drawn_together);
   scene.bodies[1].loads.edges[0].history = "pull";
@@ -234,12 +275,12 @@ TEST_CASE("relations up to a number that cannot be meant are refused", "[one_sid
     return message.find(words) != std::string::npos;
   };
   const Relation stop = {{term({"top", "bar"})}, 0.008, {}, Holds::AtMost};
-  CHECK(refused(one_bar(5, {stop.terms, 0.008, 20.0, Holds::AtMost}), "holds up to a number, and a stiffness"));
+  CHECK(refused(one_bar(5, {stop.terms, 0.008, 20.0, Holds::AtMost}), "stiffness = 20 is of a spring that pulls and presses"));
   Scene moving = one_bar(5, stop);
   moving.moves = true;
-  CHECK(refused(moving, "relation 1 holds up to a number, which is made for small displacements"));
+  CHECK(refused(moving, "relation 1: at_most and at_least are made for small displacements"));
   Scene held = one_bar(5, {{term({"bottom", "bar"})}, -0.1, {}, Holds::AtMost});
-  CHECK(refused(held, "relation 1: the pair at (0, 0) is held by supports, ties, relations or rigid sides and overlaps by 0.1"));
+  CHECK(refused(held, "relation 1: the pair at (0, 0) is held by supports, ties, relations or rigid sides and is beyond its number by 0.1"));
   const Plan given = plan(one_bar(5, {{term({"bottom", "bar"})}, 0.1, {}, Holds::AtMost}));
   REQUIRE(given.notes.size() == 1);
   CHECK(given.notes[0].find("relation 1: 3 pairs can neither open nor close") != std::string::npos);

@@ -131,6 +131,28 @@ TEST_CASE("states of older versions are read, and gone on from", "[steps]") {
   }
 }
 
+TEST_CASE("a state that lacks one of two parts is refused", "[steps]") {
+  Scene scene = cantilever("q4_incompatible", 20, 3);
+  scene.bodies[0].loads.edges[0].history = "press";
+  scene.path = Path{equal_steps(20), {proportional("press")}};
+  const PathState state = steps_of(scene)[17].state;
+  REQUIRE(state.way.force_low.size() > 0);
+  const auto refused = [&](const char* part, auto&& change) {
+    PathState changed = state;
+    change(changed);
+    CHECK_THAT(problem_message([&] { static_cast<void>(solve_steps(scene, {}, changed)); }),
+               ContainsSubstring("another scene") && ContainsSubstring(part));
+  };
+  refused("displacement", [](PathState& s) { s.solution.displacement_low.resize(0); });
+  refused("way", [](PathState& s) { s.way.displacement_low.resize(0); });
+  refused("way", [](PathState& s) { s.way.displacement.resize(0); });
+  refused("way", [](PathState& s) { s.way.force.conservativeResize(3); });
+  PathState lost = state;
+  lost.solution.force_low(0) = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THAT(problem_message([&] { static_cast<void>(solve_steps(scene, {}, lost)); }),
+             ContainsSubstring("not finite"));
+}
+
 TEST_CASE("a state of another scene, and a step of no size, are refused", "[steps]") {
   const Scene scene = slab(2, {1});
   const PathState state = steps_of(scene)[2].state;

@@ -26,9 +26,9 @@ void close(const ActiveSetSystem& system, const VectorXd& scale, const VectorXd&
   }
 }
 
-/// Forces that the statuses exclude are dropped, and those of pairs that slide take their bound. What that does to the gaps the
-/// compliance tells: it is small, and so are the errors of the compliance beside it. If nothing changes, nothing is solved. If
-/// something does, the solve takes along what was out of balance.
+/// Forces that the statuses exclude are dropped, and those of pairs that slide take their bound. The compliance gives the change of
+/// the gaps; the change is small, so that errors of the compliance do not matter. Forces that change by rounding only need no solve. If
+/// there is one, it takes along what was out of balance.
 RefinedSolution corrected_once(const RefinementData& data, PrimalDual expected,
                                const std::vector<ContactStatus>& statuses) {
   const ActiveSet set = active_set(statuses, data.condensed.law);
@@ -61,8 +61,8 @@ RefinedSolution corrected_once(const RefinementData& data, PrimalDual expected,
 
 bool ends_as_expected(const std::vector<ContactStatus>& of, PrimalDual expected, RefinedSets& sets) {
   sets.here.last = corrected_once(sets.data, std::move(expected), of);
-  // A tenth of what a certificate lets pass, so that errors of many steps do not add up to more.
-  return sets.take(of).confirmed && sets.end.certificate.worst() <= 0.1 * certificate_tolerance;
+  constexpr double reserve = 0.1;  // so that errors of many steps do not add up to more than a certificate lets pass
+  return sets.take(of).confirmed && sets.end.certificate.worst() <= reserve * certificate_tolerance;
 }
 
 }  // namespace signorini

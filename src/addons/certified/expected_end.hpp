@@ -8,8 +8,8 @@
 
 namespace signorini {
 
-/// Corrects an expected solution once, and lets the certificate say whether that is the end. Where it is none it is a good
-/// place to begin from.
+/// Corrects an expected solution once, and lets the certificate say whether that is the end. If it is not, refinement
+/// begins from it.
 /// \param of        statuses `n_c` \param expected  u in two parts, and forces in balance with the load; no rigid modes
 /// \param[in,out] sets  of the problem: go on from there
 /// \return whether all signs are right, and the certificate is ten times better than it must be

@@ -40,10 +40,10 @@ enum class Holds {
 /// sides are matched in order, and a shift must take one side to the other. A term of one node stands in every one of them.
 struct Relation {
   std::vector<RelationTerm> terms;        ///< one or more
-  double right = 0;                       ///< what they add up to, or may add up to [length]
+  double right = 0;                       ///< their sum, or the bound of it [length]
   /// A spring in the place of the equation, > 0 [force/length]; none in that of a pair
   std::optional<double> stiffness = {};
-  Holds holds = Holds::Equal;             ///< with it or up to it
+  Holds holds = Holds::Equal;             ///< whether the sum is `right` or is bounded by it
 };
 
 /// A side that moves as a rigid body: a shift and a turn, each prescribed, or driven by forces, or neither.

@@ -46,7 +46,7 @@ void check_turns(const Scene& scene, const std::string& what) {
 /// What may not pass a number is a pair of the meshes, and pairs are found anew where bodies have moved to.
 void check_stays(const Scene& scene, const Relation& relation, const std::string& what) {
   require_input(relation.holds == Holds::Equal || !bodies_move(scene), what,
-                " holds up to a number, which is made for small displacements, and bodies of this scene move: "
+                ": at_most and at_least are made for small displacements, and bodies of this scene move: "
                 "make it an equation or a contact, or leave out moves and law");
 }
 
@@ -169,7 +169,7 @@ void declare_equations(const Scene& scene, Plan& draft) {
   draft.finish = take_equations;
 }
 
-/// Pairs of relations may be all that there are: then no effect before has taken them.
+/// Pairs of relations may be all that there are. Else the effect contact has taken all pairs, and has left a matrix without rows.
 void add_equations(Model& model) {
   if (model.gaps.A.rows() > 0) take_gaps(model);
   check_springs(model);

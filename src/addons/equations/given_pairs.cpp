@@ -116,8 +116,10 @@ void check_given(const Scene& scene, const Plan& draft, Index pair, double gap, 
   const std::string place =
       text(in_words(scene, draft, draft.contact_of[at(pair)]), ": the pair at ",
            in_brackets(draft.gaps.pairs.position.row(pair)), " is held by supports, ties, relations or rigid sides and ");
-  require_input(gap >= -rounding, place, "overlaps by ", -gap, when,
-                ". Leave it out there, or change what holds it");
+  const bool of_relation = draft.contact_bodies[draft.contact_of[at(pair)]].acts_elsewhere;
+  require_input(gap >= -rounding, place, of_relation ? "is beyond its number by " : "overlaps by ", -gap, when,
+                of_relation ? ". Change the number, or what holds it"
+                            : ". Leave it out there, or change what holds it");
   const bool stays = std::binary_search(draft.two_sided.begin(), draft.two_sided.end(), pair);
   require_input(!stays || gap <= rounding, place, "stays ", gap, " apart", when,
                 ", and never lifts off: leave out one of those that hold it");

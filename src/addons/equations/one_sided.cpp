@@ -1,6 +1,9 @@
 // Relations that hold up to a number, as contact does. What is left to the number is the gap of a pair; at 0 a force that never
 // pulls acts on all terms at once. To solvers and certificates such a pair is one of a contact.
+#include <memory>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "addons/equations/bonds.hpp"
 #include "addons/equations/equations.hpp"
@@ -13,7 +16,7 @@ namespace {
 
 using Eigen::Index, Eigen::VectorXd;
 
-/// Areas of nodes of a side. A pressure may not press on a node of the axis, and has no meaning there.
+/// Areas of nodes of a side. A node without area, as on the axis, gets the mean of all, so that its pressure is a number.
 VectorXd areas_of(const std::vector<Index>& nodes, const BodyModel& body,
                   const std::string& boundary) {
   const VectorXd share = boundary_weights(body.mesh, boundary, depth_of(body.material));
@@ -80,12 +83,16 @@ void add_one_sided(const Relation& relation, const std::string& name, const std:
     std::vector<FollowedContact> followed = *draft.followed;
     ContactSpec contact;
     contact.source = side;
-    followed.push_back({contact, gaps.pairs.initial_gap, true});
+    FollowedContact own_gaps{contact, gaps.pairs.initial_gap};
+    own_gaps.linear = true;
+    followed.push_back(std::move(own_gaps));
     draft.followed = std::make_shared<const std::vector<FollowedContact>>(std::move(followed));
   }
   draft.contact_of.resize(draft.contact_of.size() + rows.size(), draft.contacts.size());
   draft.contacts.push_back(name);
-  draft.contact_bodies.push_back({body_index(draft.bodies, side), {}, true});
+  ContactBodies bodies{body_index(draft.bodies, side), {}};
+  bodies.acts_elsewhere = true;
+  draft.contact_bodies.push_back(bodies);
   draft.small_sliding.push_back(false);
   draft.gaps = stacked(draft.gaps, gaps);
 }

@@ -90,8 +90,9 @@ void check_relation(const Relation& relation, const std::string& what) {
   const double stiffness = relation.stiffness.value_or(1);
   require_input(std::isfinite(stiffness) && stiffness > 0, what,
                 ": a stiffness must be a number > 0, got ", stiffness);
-  require_input(!relation.stiffness || relation.holds == Holds::Equal, what,
-                ": it holds up to a number, and a stiffness is of a spring that also pulls: leave it out");
+  require_input(!relation.stiffness || relation.holds == Holds::Equal, what, ": stiffness = ", stiffness,
+                " is of a spring that pulls and presses, and at_most and at_least let go: leave stiffness out, "
+                "or write right in their place");
 }
 
 /// How a rigid side moves, by the displacements of two of its nodes: those of the first, and that of the second across the line

@@ -30,55 +30,77 @@ namespace {
 
 bool is_empty_or(const VectorXd& part, Index size) { return part.size() == 0 || part.size() == size; }
 
-/// Whether a solution, or the way to it, is of so many unknowns and rows.
-bool fits(const PrimalDual& solution, Index unknowns, Index rows) {
-  return solution.displacement.size() == unknowns &&
-         is_empty_or(solution.displacement_low, unknowns) && is_empty_or(solution.rigid, unknowns) &&
-         solution.force.size() == rows && is_empty_or(solution.force_low, rows);
+bool is_empty(const PrimalDual& solution) {
+  return solution.displacement.size() + solution.displacement_low.size() + solution.rigid.size() +
+             solution.force.size() + solution.force_low.size() ==
+         0;
 }
 
-/// Whether all numbers of a state are those of a model.
-bool fits(const PathState& state, const Model& model) {
+/// Whether a solution is of so many unknowns and rows. Where forces have two parts, u has two parts.
+bool fits(const PrimalDual& solution, Index unknowns, Index rows) {
+  const Index low = solution.displacement_low.size();
+  return solution.displacement.size() == unknowns && (low == 0 || low == unknowns) &&
+         is_empty_or(solution.rigid, unknowns) && solution.force.size() == rows &&
+         is_empty_or(solution.force_low, rows) && (solution.force_low.size() == 0 || low == unknowns);
+}
+
+/// Whether the way to a state is none, that of u alone, of bodies that move, or has all its parts.
+bool is_way(const PrimalDual& way, Index unknowns, Index rows) {
+  PrimalDual rest = way;
+  rest.displacement.resize(0);
+  return is_empty(way) || (way.displacement.size() == unknowns && is_empty(rest)) ||
+         (fits(way, unknowns, rows) && way.displacement_low.size() == unknowns &&
+          way.force_low.size() == rows);
+}
+
+/// The first part of a state that is not that of a model; empty if there is none.
+const char* misfit(const PathState& state, const Model& model) {
   const Index pairs = model.pairs.weight.size();
   const Index slips = static_cast<Index>(model.law.pair.size());
   const Index n = model.unknowns.count;
-  const Index forces_of_way = state.way.force.size() == 0 ? 0 : pairs + slips;
-  return static_cast<Index>(state.contact_status.size()) == pairs && state.slip.size() == slips &&
-         state.increment.size() == slips && state.dissipation.size() == slips &&
-         fits(state.solution, n, pairs + slips) &&
-         fits(state.way, state.way.displacement.size() == 0 ? 0 : n, forces_of_way) &&
-         is_empty_or(state.dissipated_elsewhere, static_cast<Index>(model.contacts.size()));
+  if (static_cast<Index>(state.contact_status.size()) != pairs) return "motion";
+  if (state.slip.size() != slips) return "slip";
+  if (state.increment.size() != slips) return "increment";
+  if (state.dissipation.size() != slips) return "dissipation";
+  if (!fits(state.solution, n, pairs + slips)) return "displacement or force";
+  if (!is_way(state.way, n, pairs + slips)) return "way";
+  const Index contacts = static_cast<Index>(model.contacts.size());
+  return is_empty_or(state.dissipated_elsewhere, contacts) ? nullptr : "dissipated-elsewhere";
+}
+
+bool is_finite(const PrimalDual& solution) {
+  return solution.displacement.allFinite() && solution.displacement_low.allFinite() &&
+         solution.rigid.allFinite() && solution.force.allFinite() && solution.force_low.allFinite();
 }
 
 bool is_finite(const PathState& state) {
-  return std::isfinite(state.time) && state.slip.allFinite() && state.increment.allFinite() &&
-         state.dissipation.allFinite() && state.way.displacement.allFinite() &&
-         state.way.force.allFinite() && state.dissipated_elsewhere.allFinite();
+  return std::isfinite(state.time) && std::isfinite(state.began) && state.slip.allFinite() &&
+         state.increment.allFinite() && state.dissipation.allFinite() && is_finite(state.way) &&
+         is_finite(state.solution) && state.dissipated_elsewhere.allFinite();
 }
 
 }  // namespace
 
 /// Whether the numbers of a state are those of a model.
 void check_sizes(const PathState& state, const Model& model) {
-  const PrimalDual& solution = state.solution;
   if (state.steps == 0) {
     const Index sizes = static_cast<Index>(state.contact_status.size()) + state.slip.size() +
                         state.increment.size() + state.dissipation.size() +
-                        solution.displacement.size() + solution.displacement_low.size() +
-                        solution.rigid.size() + solution.force.size() +
-                        state.way.displacement.size() + state.dissipated_elsewhere.size();
+                        state.solution.displacement.size() + state.solution.force.size() +
+                        state.dissipated_elsewhere.size();
     require_input(
-        state.time == 0 && sizes == 0,
+        state.time == 0 && sizes == 0 && is_empty(state.solution) && is_empty(state.way),
         "a state before the first step is empty and of time 0, but "
         "this one is of time ",
         state.time, " and has ", sizes,
         " numbers: go on from one that an observer or read_state() got, or from PathState()");
     return;
   }
-  require_input(fits(state, model), "the state at time ", state.time,
-                " is of another scene: it has ", solution.displacement.size(), " unknowns, ",
+  const char* const part = misfit(state, model);
+  require_input(part == nullptr, "the state at time ", state.time, " is of another scene: its ", part,
+                " does not fit. It has ", state.solution.displacement.size(), " unknowns, ",
                 state.contact_status.size(), " pairs and ", state.slip.size(),
-                " slips, but this one ", model.unknowns.count, ", ", model.pairs.weight.size(),
+                " slips, and this one ", model.unknowns.count, ", ", model.pairs.weight.size(),
                 " and ", model.law.pair.size());
   require_input(
       state.steps > 0 && is_finite(state), "the state after step ", state.steps, " at time ",
@@ -100,8 +122,8 @@ PathState after(const PathState& past, double time, const Model& model, const Ve
   state.contact_status = contact.contact_status;
   state.solution = solution.refined;
   state.began = past.time;
-  if (share_gone_on(past, time, model) > 0 && !model.loop)
-    state.way = way(past.solution, state.solution);
+  if (share_gone_on(past, time, model) > 0 && is_linear(model))
+    state.way = way_between(past.solution, state.solution);
   state.increment = increment(contact);
   state.slip = state.increment;
   state.dissipation = dissipated(contact);

@@ -35,19 +35,24 @@ void forget_slip(const Eigen::VectorXd& slip, Model& model);
 [[nodiscard]] PathState after(const PathState& past, double time, const Model& model,
                               const Eigen::VectorXd& given, const Solution& solution);
 
-/// How far loads go on as in the last step: their changes, seen along those of that step.
+/// Whether u and forces of a model are linear in its loads until a pair changes, in numbers that one programme has: bodies stay, supports
+/// hold them, and no bond joins them. \param model  any \return whether
+[[nodiscard]] bool is_linear(const Model& model);
+
+/// How far loads go on as in the last step.
 /// \param past   the state before a step \param time  of the step [time] \param model  with parts
-/// \return over these; 0 if loads turn
+/// \return change of their factors in this step over that in the last one, along the last one; 0 if loads turn
 [[nodiscard]] double share_gone_on(const PathState& past, double time, const Model& model);
 
-/// Where a step leads if its pairs do what they did last. Of one model u and forces are linear in the loads as long as they do.
-/// \param past   the state before the step, with the way to it \param time  of the step [time] \param model  with parts
-/// \return u in two parts and forces; nothing unless all loads go on in one proportion, and but for bodies that stay and that supports hold
-[[nodiscard]] std::optional<PrimalDual> expected(const PathState& past, double time,
-                                                 const Model& model);
+/// Where a step ends if no pair changes: on the line through the last two.
+/// \param past   the state before the step \param time  of the step [time] \param model  with parts
+/// \return u in two parts and forces; nothing if loads do not go on in one proportion, the model is not linear, or the way of the
+///   last step is not known
+[[nodiscard]] std::optional<PrimalDual> extrapolated(const PathState& past, double time,
+                                                     const Model& model);
 
 /// The way of a step. \param from, to  solutions before and after it \return their difference; empty unless both are in two parts
-[[nodiscard]] PrimalDual way(const PrimalDual& from, const PrimalDual& to);
+[[nodiscard]] PrimalDual way_between(const PrimalDual& from, const PrimalDual& to);
 
 /// A step of bodies that move: its pairs come and go, and take along what they know.
 /// \param past    where the path is

@@ -72,8 +72,7 @@ CondensedPath condense_path(const Model& model, Ledger& ledger) {
   check_steps(model, "condense_path");
   CondensedPath path{condense(model, ledger), {}};
   if (!model.loop) path.condensed.known = known_matrices(model.programme, model.law);
-  if (!model.loop && !model.equations && model.modes.empty())
-    path.condensed.known.scaled = std::make_shared<ScaledProblem>();
+  if (is_linear(model)) path.condensed.known.scaled = std::make_shared<ScaledProblem>();
   const Ledger::Phase phase(ledger, "condensation");
   for (const LoadPart& part : model.parts) {
     const bool acts = (part.load.array() != 0).any();
@@ -130,7 +129,7 @@ Step step(const PathState& past, double time, Model& model, CondensedPath& path,
       model.programme.initial_gap.tail(static_cast<Index>(model.law.pair.size()));
   forget_slip(past.slip, model);  // slip counts from the step before
   move_freely(model, free_displacement(time, model, path), path.condensed);
-  path.condensed.expected = expected(past, time, model);  // where the loads lead
+  path.condensed.expected = extrapolated(past, time, model);  // if no pair changes
   SolverOptions options;
   options.start = past.contact_status;  // begin with what the pairs did last
   Solution solution = solve(model, path.condensed, model.solver, std::move(ledger), options);

@@ -6,9 +6,9 @@
 /// histories: p, g and \f$ K^{-1}p \f$ are sums of parts, each condensed once. So a step costs the triangular solves
 /// of its refinement and dense algebra on the boundary, and begins from what the pairs did last.
 ///
-/// If loads go on in one proportion, u and forces do too, until a pair changes. So of bodies that stay and that supports hold
-/// the step is first looked for on the line through the last two. A change of pairs costs one solve there, no change none, and
-/// the certificate says whether that is exact: ten times better than it must be, or the step is refined as any other.
+/// If all loads go on in one proportion, u and forces do too, until a pair changes. So from the third step on, of bodies that stay, that
+/// supports hold and no bond joins, a step is first looked for on the line through the last two. It needs no solve with K if no pair changed in
+/// the last steps, and one behind a change. If its certificate exceeds a tenth of what it may, the step is refined as any other.
 ///
 /// The law of friction holds for the slip since the last step: \f$ s_k = s(t_k) + T u_k - s_{k-1} \f$, where
 /// \f$ s_{k-1} \f$ is the slip in total before. A pair that sticks keeps its total to the last bit. Friction of a node
@@ -48,9 +48,9 @@ struct PathState {
   /// Of bodies that move, for each contact: what nodes dissipated until they lost their pair [force*length]; empty: none did
   Eigen::VectorXd dissipated_elsewhere = {};
   PrimalDual solution = {};  ///< u in two parts and forces of all rows of A, of the last step
-  double began = 0;  ///< when the last step began, where that is looked at [time]
-  /// How far u went in it, in two parts, and by how much the forces of all rows grew; empty if loads turned at its beginning. Of
-  /// bodies that move u alone, in one part
+  double began = 0;  ///< when the last step began [time]
+  /// How far u went in it, in two parts, and by how much the forces of all rows grew; empty behind the first step, where loads turned,
+  /// and without pairs. Of bodies that move u alone, in one part
   PrimalDual way = {};
 };
 

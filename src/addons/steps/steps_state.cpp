@@ -30,14 +30,14 @@ void visit_vectors(State& state, std::size_t version, Visit&& visit) {
   visit("displacement", state.solution.displacement);
   visit("displacement-low", state.solution.displacement_low);
   visit("rigid", state.solution.rigid);
-  if (version > 1) visit("force-low", state.solution.force_low);
+  if (version >= 3) visit("force-low", state.solution.force_low);
 }
 
 /// Those of the way to it.
 template <typename State, typename Visit>
 void visit_way(State& state, std::size_t version, Visit&& visit) {
   visit("way", state.way.displacement);
-  if (version < 2) return;
+  if (version < 3) return;
   visit("way-low", state.way.displacement_low);
   visit("way-force", state.way.force);
   visit("way-force-low", state.way.force_low);
@@ -68,7 +68,7 @@ void read_vector(TextReader& reader, const char* name, VectorXd& values) {
   for (double& value : values) value = reader.number(reader.word_anywhere(), name);
 }
 
-/// \return which of the first lines the file has
+/// \return the version of a file, from 1
 std::size_t version_of(TextReader& reader) {
   reader.next_line();
   const std::string_view word = reader.word();
@@ -78,7 +78,7 @@ std::size_t version_of(TextReader& reader) {
                      first_lines[0], "' of an older version"),
                 word);
   reader.expect_end_of_line(std::string(word));
-  return static_cast<std::size_t>(found - first_lines.begin());
+  return static_cast<std::size_t>(found - first_lines.begin()) + 1;
 }
 
 /// The way to a state, what only bodies that move have, and the end of the file.
@@ -100,7 +100,7 @@ void read_rest(TextReader& reader, std::size_t version, PathState& state) {
         Eigen::Map<const VectorXd>(each.data(), static_cast<Index>(each.size()));
     word = next();
   }
-  if (version > 0) {
+  if (version >= 2) {
     if (word != last_line)
       reader.fail(text("a line '", last_line, "', without which a part of the file is missing"),
                   word);
@@ -113,7 +113,7 @@ void read_rest(TextReader& reader, std::size_t version, PathState& state) {
 }  // namespace
 
 void write_state(const PathState& state, std::ostream& out) {
-  const std::size_t version = first_lines.size() - 1;
+  const std::size_t version = first_lines.size();
   const auto write = [&](const char* name, const VectorXd& values) {
     write_vector(name, values, out);
   };

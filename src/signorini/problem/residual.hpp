@@ -16,8 +16,8 @@ struct PrimalDual {
   /// is known beforehand and not computed: K times a motion is rounding, which in a stiff body may exceed
   /// the loads of all others. So equilibrium is that of u without it.
   Eigen::VectorXd rigid = {};
-  /// What rounding took away of the forces that u belongs to, `n_c` [force]; empty means zero. No claim is measured with it: it
-  /// is for those who go on from here.
+  /// What rounding took away of the forces that u belongs to, `n_c` [force]; empty means zero. Load steps extrapolate with it, and
+  /// certificates do not look at it.
   Eigen::VectorXd force_low = {};
 };
 

@@ -87,10 +87,10 @@ struct Plan {
   std::vector<FreeMotion> modes;  ///< `n_r` rigid motions that supports leave: null vectors of K
   std::vector<FitSides> fits;     ///< of effects before contact, which calls them in this order
   Gaps gaps;                      ///< `n_c` candidate pairs of all contacts, none without
-  std::vector<std::string> contacts;               ///< names of the contacts, see contact_names()
+  std::vector<std::string> contacts;  ///< names: those of the scene, then relations that hold up to a number
   std::vector<std::size_t> contact_of;             ///< `n_c` number of the contact of each pair
   std::vector<ContactBodies> contact_bodies = {};  ///< of each contact
-  /// All contacts as they were paired, to find their pairs again; null without contact, or if all gaps are linear
+  /// All of these as they were paired, to find their pairs again; null without contact, or if all gaps are linear
   std::shared_ptr<const std::vector<FollowedContact>> followed = {};
   std::vector<bool> small_sliding = {};  ///< of each contact, see ContactSpec
   FrictionLaw law;  ///< of the pairs that can slide and whose own contact has friction

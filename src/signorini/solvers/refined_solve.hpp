@@ -23,7 +23,7 @@ struct CondensedProgramme {
       const std::vector<Eigen::Index>&)>
       solve_part = {};
   const KnownMatrices* known = nullptr;  ///< of K, A and law; null if they are not known
-  const PrimalDual* expected = nullptr;  ///< see Condensed; null if nothing is
+  const PrimalDual* expected = nullptr;  ///< u in two parts and forces, where the solution is likely; null: not known
 };
 
 /// Where a programme ended. Unless `state.report.status` is Solved, the numbers are those of the best set that could be
@@ -54,7 +54,7 @@ struct RefinedSets {
   /// Refines one more set; it is the best if all its signs are right, or if no certificate before was better.
   /// \param of     statuses `n_c` \param force  of all rows, to begin with [force] \return what check_signs() says
   SignCheck refine(const std::vector<ContactStatus>& of, const Eigen::VectorXd& force);
-  /// Looks at what refinement made of a set, as refine() does. \param of  its statuses `n_c` \return what check_signs() says
+  /// Certifies `here.last`, and keeps it if it is the best. \param of  its statuses `n_c` \return what check_signs() says
   SignCheck take(const std::vector<ContactStatus>& of);
 };
 

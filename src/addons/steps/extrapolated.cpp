@@ -1,4 +1,4 @@
-// # Where loads lead
+// # On the line through the last two steps
 //
 // As long as no pair begins to slide, to stick, to open or to close, everything is linear in the loads. Two points of a line
 // give the third: if loads of 1 and 2 bend a beam by 3 and 5, a load of 3 bends it by 7. No system is solved for that.
@@ -25,10 +25,12 @@ struct Factors {
   double now;    // where it ended
   double then;   // at the end of the step
 
-  /// Whether they go on by a share of how far they went, but for rounding.
-  [[nodiscard]] bool go_on(double share) const {
+  /// Whether they go on by a share of how far they went, but for rounding: of the three, which histories interpolate, and of two differences.
+  [[nodiscard]] bool are_in_proportion(double share) const {
+    constexpr double roundings = 8;
     const double largest = std::max({std::abs(began), std::abs(now), std::abs(then)});
-    return std::abs((then - now) - share * (now - began)) <= 8 * epsilon * (1 + share) * largest;
+    return std::abs((then - now) - share * (now - began)) <=
+           roundings * epsilon * (1 + share) * largest;
   }
 };
 
@@ -40,7 +42,8 @@ Factors factors_of(const LoadPart& part, const PathState& past, double time, con
 }
 
 /// high + low += share * (way + rest), number by number.
-void go_on(double share, const VectorXd& way, const VectorXd& rest, VectorXd& high, VectorXd& low) {
+void add_multiple(double share, const VectorXd& way, const VectorXd& rest, VectorXd& high,
+                  VectorXd& low) {
   for (Index i = 0; i < high.size(); ++i) {
     ExactSum sum(high(i), low(i) + share * rest(i));
     sum.add_product(share, way(i));
@@ -63,27 +66,30 @@ double share_gone_on(const PathState& past, double time, const Model& model) {
   return along > 0 ? along / last : 0;
 }
 
-std::optional<PrimalDual> expected(const PathState& past, double time, const Model& model) {
-  if (model.loop || model.equations || !model.modes.empty() || past.way.force_low.size() == 0)
-    return std::nullopt;
+bool is_linear(const Model& model) { return !model.loop && !model.equations && model.modes.empty(); }
+
+std::optional<PrimalDual> extrapolated(const PathState& past, double time, const Model& model) {
+  if (!is_linear(model) || past.way.force_low.size() == 0) return std::nullopt;
   const double share = share_gone_on(past, time, model);
   const auto goes_on = [&](const LoadPart& part) {
-    return factors_of(part, past, time, model).go_on(share);
+    return factors_of(part, past, time, model).are_in_proportion(share);
   };
   if (share == 0 || !std::all_of(model.parts.begin(), model.parts.end(), goes_on))
     return std::nullopt;
-  PrimalDual there = past.solution;
+  PrimalDual end = past.solution;
   const PrimalDual& way = past.way;
-  go_on(share, way.displacement, way.displacement_low, there.displacement, there.displacement_low);
-  go_on(share, way.force, way.force_low, there.force, there.force_low);
-  return there;
+  add_multiple(share, way.displacement, way.displacement_low, end.displacement,
+               end.displacement_low);
+  add_multiple(share, way.force, way.force_low, end.force, end.force_low);
+  return end;
 }
 
-PrimalDual way(const PrimalDual& from, const PrimalDual& to) {
+PrimalDual way_between(const PrimalDual& from, const PrimalDual& to) {
   if (from.force_low.size() == 0 || to.force_low.size() == 0) return {};
   PrimalDual way{to.displacement, to.displacement_low, to.force, {}, to.force_low};
-  go_on(-1, from.displacement, from.displacement_low, way.displacement, way.displacement_low);
-  go_on(-1, from.force, from.force_low, way.force, way.force_low);
+  add_multiple(-1, from.displacement, from.displacement_low, way.displacement,
+               way.displacement_low);
+  add_multiple(-1, from.force, from.force_low, way.force, way.force_low);
   return way;
 }
 
