@@ -76,6 +76,19 @@ TEST_CASE("a side stops at the number of a relation", "[one_sided]") {
   CHECK((open.solution.contact.gap.array() - 0.01).abs().maxCoeff() <= 1e-15);
 }
 
+TEST_CASE("a relation that is multiplied is told as it was", "[one_sided]") {
+  const auto times = [](double factor) {
+    return solved(one_bar(5, {{term({"top", "bar"}, factor)}, 0.008 * factor, {}, Holds::AtMost}), "the bar");
+  };
+  const SolvedScene one = times(1);
+  for (const double factor : {10.0, 1e8, 1e-8}) {
+    const SolvedScene other = times(factor);
+    CHECK((other.solution.contact.force - one.solution.contact.force).cwiseAbs().maxCoeff() <= 1e-12 * 3);
+    CHECK((other.solution.pressure - one.solution.pressure).cwiseAbs().maxCoeff() <= 1e-12 * 3);
+    CHECK((other.model.pairs.normal - one.model.pairs.normal).cwiseAbs().maxCoeff() <= 1e-15);
+  }
+}
+
 // The load pulls at the right and pushes at the left, so that one node of three reaches the plane.
 TEST_CASE("a relation of one displacement is contact with a half-plane", "[one_sided]") {
   Scene relation = one_bar(0, {{term({"top", "bar"})}, 0.004, {}, Holds::AtMost});
@@ -142,7 +155,7 @@ TEST_CASE("a force on a lever acts on all terms", "[one_sided]") {
   bind(scene, {{{term({"top", "one"}, 2), term({"top", "two"})}, 0.01, {}, Holds::AtMost}});
   const SolvedScene run = solved(scene, "the lever");
   const double force = 0.01 / 0.0045;
-  CHECK(run.solution.contact.force.sum() == Approx(force).epsilon(1e-12));
+  CHECK(run.solution.contact.force.sum() == Approx(2 * force).epsilon(1e-12));  // on the first term
   CHECK(top_of(run, 0) == Approx((10 - 2 * force) / 1000).epsilon(1e-12));
   CHECK(top_of(run, 1) == Approx(-force / 2000).epsilon(1e-12));
   CHECK(support_forces(run.model, run.solution, 1).col(1).sum() == Approx(force).epsilon(1e-11));

@@ -164,6 +164,47 @@ TEST_CASE("a hundred steps along a line keep their digits, and cost no solve", "
   CHECK((last.displacement - one.displacement).norm() / one.displacement.norm() <= rounding);
 }
 
+// What is expected of a load that vanishes is rounding, and no place to begin from.
+TEST_CASE("a load is taken off again in many steps, and through zero", "[steps]") {
+  const double friction = GENERATE(0.0, 0.3);
+  Scene scene = cantilever("q4_incompatible", 20, 3);
+  scene.bodies[0].loads.edges[0].history = "press";
+  if (friction > 0) scene.contacts[0].friction = Friction{friction};
+  scene.path = Path{equal_steps(16, 4), {{"press", {0, 1, 2, 4}, {0, 1, 0, -0.5}}}, 0};
+  const std::vector<Step> steps = steps_of(scene);
+  REQUIRE(steps.size() == 16);
+  for (const Step& step : steps) CHECK(step.solution.certificate.holds());
+  CHECK(steps[7].state.solution.displacement.isZero(0));
+}
+
+// Whatever pairs do, forces have the digits of a step of which nothing is expected.
+TEST_CASE("steps that are expected have the digits of steps that are not", "[steps]") {
+  const double friction = GENERATE(0.0, 0.3);
+  Scene scene = cantilever("q4_incompatible", 120, 4);
+  scene.bodies[0].loads.edges[0].history = "press";
+  if (friction > 0) scene.contacts[0].friction = Friction{friction};
+  scene.path = Path{equal_steps(40), {proportional("press")}};
+  Ledger ledger;
+  Model model = build(scene, ledger);
+  CondensedPath path = condense_path(model, ledger);
+  PathState state;
+  long long with = 0, without = 0;
+  for (const double time : scene.path->times) {
+    PathState blind = state;
+    blind.way = {};
+    const Step other = step(blind, time, model, path, {});
+    const Step next = step(state, time, model, path, {});
+    REQUIRE(next.solution.contact.report.status == SolveStatus::Solved);
+    const VectorXd& force = other.state.solution.force;
+    CHECK((next.state.solution.force - force).cwiseAbs().maxCoeff() <= 1e-12 * force.cwiseAbs().maxCoeff());
+    with += next.solution.ledger.counted("refinement", "solves");
+    without += other.solution.ledger.counted("refinement", "solves");
+    state = next.state;
+  }
+  CAPTURE(with, without);
+  CHECK(with < without);
+}
+
 TEST_CASE("a few steps behind the last change of pairs a step costs no triangular solve, and no other more than four", "[steps]") {
   Scene beam = cantilever("q4_incompatible", 60, 6);
   beam.bodies[0].loads.edges[0].history = "pressure";

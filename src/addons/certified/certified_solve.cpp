@@ -68,7 +68,7 @@ bool CertifiedSolve::settle(const ContactState& claim) {
   const Ledger::Phase phase(sets_.ledger, "refinement");
   const PrimalDual* const expected = std::exchange(expected_, nullptr);
   if (expected != nullptr && ends_as_expected(claim.contact_status, *expected, sets_)) return true;
-  const VectorXd force = expected != nullptr ? sets_.here.now.force : all_forces(claim);
+  const VectorXd force = all_forces(claim);
   if (data_.null_vectors.cols() == 0 || claim.report.status != SolveStatus::Solved)
     return exchange(claim.contact_status, force);
   // A motion that the closed pairs leave open must begin where the claim has it.

@@ -24,7 +24,7 @@ struct CertifiedSolution : RefinedEnd {
 /// halve the worst figure of the certificate. The best certificate then says whether that matters. A method that
 /// ends without a solution is asked the same way: what it looked at last may be right. Where a member breaks
 /// down, or ends at its own limit of iterations, the others that its line in the table names are asked in the same way from
-/// the start, and the first solution counts. A solution that is expected is corrected once to the statuses that the solver claims, before the claim itself is refined.
+/// the start, and the first solution counts. A solution that is expected is looked at for the statuses that the solver claims, before the claim itself is refined.
 /// \param programme     K, p, A, g as they were posed; slips in the last rows of A
 /// \param condensed     made of it
 /// \param null_vectors  N `n x n_r`, or nothing

@@ -1,6 +1,6 @@
 // This header is internal: chapters do not include it, and it is not installed.
 /// \file
-/// A solution that was expected, corrected for what the pairs do.
+/// A solution that was expected, where the pairs do what was expected of them.
 #pragma once
 #include <vector>
 
@@ -8,12 +8,11 @@
 
 namespace signorini {
 
-/// Corrects an expected solution once, and lets the certificate say whether that is the end. If it is not, refinement
-/// begins from it.
-/// \param of        statuses `n_c` \param expected  u in two parts, and forces in balance with the load; no rigid modes
-/// \param[in,out] sets  of the problem: go on from there
-/// \return whether all signs are right, and the certificate is ten times better than it must be
-[[nodiscard]] bool ends_as_expected(const std::vector<ContactStatus>& of, PrimalDual expected,
+/// Takes an expected solution for the end, if other forces would be so by rounding only, and the certificate agrees.
+/// \param of        statuses `n_c` \param expected  u and forces, each in two parts; no rigid modes
+/// \param[in,out] sets  of the problem, before the first set: has the end, or is as before
+/// \return whether it is the end: all signs are right, and the certificate is ten times better than it must be
+[[nodiscard]] bool ends_as_expected(const std::vector<ContactStatus>& of, const PrimalDual& expected,
                                     RefinedSets& sets);
 
 }  // namespace signorini

@@ -89,7 +89,7 @@ void add_tie(const Tie& tie, Plan& draft, Equations& all);
 void add_relation(const Relation& relation, std::size_t number, Plan& draft, Equations& all);
 
 /// Writes the pairs of a relation that is no equation, behind those of all contacts and as those of one more. A pair has a gap of
-/// what is left to the number, and its force is the multiplier, which acts on all terms: on the first one times its `times` along its `along`.
+/// what is left to the number, as a displacement of the first term, and its force acts on all terms: it is told as that on the first one.
 /// \param relation  of the scene \param name  of it \param rows  one for each pair \param nodes  of the first term, one or one for each row
 /// \param draft     gets pairs and their contact
 void add_one_sided(const Relation& relation, const std::string& name, const std::vector<Equation>& rows,

@@ -29,21 +29,24 @@ VectorXd areas_of(const std::vector<Index>& nodes, const BodyModel& body,
   return areas;
 }
 
-/// The pairs before supports. \param sign  of the sum in the gap \param nodes  of the first term, one for each row
+/// The pairs before supports, in displacements of the first term: whatever it is multiplied by, gaps are lengths, normals have the
+/// length 1, and forces are those on the first term. \param sign  of the sum in the gap \param nodes  of the first term, one for each row
 Pairs pairs_of(const Relation& relation, double sign, const std::vector<Equation>& rows,
                const std::vector<Index>& nodes, const Plan& draft) {
   const RelationTerm& first = relation.terms.front();
   const BodyModel& body = draft.bodies[body_index(draft.bodies, first.side)];
   const Index count = static_cast<Index>(rows.size());
   Pairs pairs;
-  pairs.opening = sign * matrix_of(rows, draft.gaps.pairs.opening.cols());
+  const Eigen::Vector2d along = first.times * first.along;
+  const double factor = sign / along.norm();
+  pairs.opening = factor * matrix_of(rows, draft.gaps.pairs.opening.cols());
   pairs.sliding.resize(draft.gaps.T.rows() > 0 ? count : 0, draft.gaps.pairs.opening.cols());
-  pairs.initial_gap = VectorXd::Constant(count, -sign * relation.right);
+  pairs.initial_gap = VectorXd::Constant(count, -factor * relation.right);
   pairs.weight = areas_of(nodes, body, first.side.boundary);
   pairs.position.resize(count, 2);
   for (Index k = 0; k < count; ++k)
     pairs.position.row(k) = body.mesh.nodes.row(nodes[at(k)] - body.first_node);
-  pairs.normal = (sign * first.times * first.along).transpose().replicate(count, 1);
+  pairs.normal = (factor * along).transpose().replicate(count, 1);
   pairs.moment = pairs.target_moment = NodeArray::Zero(count, 2);
   pairs.node = nodes;
   return pairs;

@@ -71,6 +71,8 @@ bool is_linear(const Model& model) { return !model.loop && !model.equations && m
 std::optional<PrimalDual> extrapolated(const PathState& past, double time, const Model& model) {
   if (!is_linear(model) || past.way.force_low.size() == 0) return std::nullopt;
   const double share = share_gone_on(past, time, model);
+  // Loads are rounded, and so many times as much in what they foretell: beyond this no certificate could hold.
+  if (share * epsilon > certificate_tolerance) return std::nullopt;
   const auto goes_on = [&](const LoadPart& part) {
     return factors_of(part, past, time, model).are_in_proportion(share);
   };

@@ -7,8 +7,8 @@
 /// of its refinement and dense algebra on the boundary, and begins from what the pairs did last.
 ///
 /// If all loads go on in one proportion, u and forces do too, until a pair changes. So from the third step on, of bodies that stay, that
-/// supports hold and no bond joins, a step is first looked for on the line through the last two. It needs no solve with K if no pair changed in
-/// the last steps, and one behind a change. If its certificate exceeds a tenth of what it may, the step is refined as any other.
+/// supports hold and no bond joins, a step is first looked for on the line through the last two. If its forces close all gaps there but for
+/// rounding, and its certificate is a tenth of what it may be, it needs no solve with K. Else it is solved as any other.
 ///
 /// The law of friction holds for the slip since the last step: \f$ s_k = s(t_k) + T u_k - s_{k-1} \f$, where
 /// \f$ s_{k-1} \f$ is the slip in total before. A pair that sticks keeps its total to the last bit. Friction of a node

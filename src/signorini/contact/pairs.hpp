@@ -32,7 +32,7 @@ using NodalRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 /// tangent, and the target (master) the other way. Rows, gaps and normals of several points are means by their weight, so
 /// that gap and slip are lengths and a force divided by the weight is a pressure. Every row adds up to the normal on the
 /// source and to its opposite on the target: the resultant of a pair is its force times its normal, and less than its
-/// force where the side turns. Rows that a relation adds act where it says, and tell of its first term alone.
+/// force where the side turns. Rows that a relation adds act on all its terms, and tell of the first.
 struct Pairs {
   NodalRows opening;            ///< N `n_c x 2 n_nodes` [-]
   NodalRows sliding;            ///< S `n_c x 2 n_nodes` [-]; no entries unless asked for

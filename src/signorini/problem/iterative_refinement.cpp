@@ -83,7 +83,10 @@ bool Refinement::sweep() {
     add_to(u.force(system.rows[at(k)]), low(system.rows[at(k)]), scale(k) * closes(k));
   impose(set, u.force, low);
   const VectorXd pushed = (u.force - last) + (low - last_low);
-  if (steady && is_felt(data, u, pushed)) moved += push(-(A.transpose() * pushed));
+  const auto felt = [](double part) { return part > 0.25 * epsilon; };
+  if (steady && (felt(relative(pushed, u.force)) ||
+                 felt(relative(data.condensed.compliance * pushed, u.displacement))))
+    moved += push(-(A.transpose() * pushed));
   if (floats) {
     const VectorXd amplitude = data.scaled.inverse * turn;
     result.amplitude += amplitude;
@@ -98,12 +101,6 @@ bool Refinement::sweep() {
 }
 
 }  // namespace
-
-// Forces that are rounding of the largest one may still turn a slender body: what they move counts as well.
-bool is_felt(const RefinementData& data, const PrimalDual& solution, const VectorXd& pushed) {
-  const double moved = relative(data.condensed.compliance * pushed, solution.displacement);
-  return std::max(relative(pushed, solution.force), moved) > 0.25 * epsilon;
-}
 
 // A closed row that nothing can push on, a slip that supports prescribe, keeps no force. Before the first sweep u
 // follows the forces that it does not belong to yet, and the springs that ground a body give it back. A u in

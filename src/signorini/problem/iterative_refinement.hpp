@@ -77,11 +77,6 @@ struct RefinedSolution {
                                                    const Eigen::VectorXd& force,
                                                    const std::vector<ContactStatus>& statuses);
 
-/// Whether a change of forces is more than rounding, of them or of what it moves.
-/// \param data  the problem \param solution  u and forces \param pushed  the change, of all rows [force] \return whether
-[[nodiscard]] bool is_felt(const RefinementData& data, const PrimalDual& solution,
-                           const Eigen::VectorXd& pushed);
-
 /// What is out of balance along rigid modes.
 /// \param programme     K, p, A
 /// \param solution      u and f
