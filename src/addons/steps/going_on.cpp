@@ -46,11 +46,11 @@ bool fits(const PrimalDual& solution, Index unknowns, Index rows) {
 
 /// Whether the way to a state is none, that of u alone, of bodies that move, or has all its parts.
 bool is_way(const PrimalDual& way, Index unknowns, Index rows) {
-  PrimalDual rest = way;
-  rest.displacement.resize(0);
-  return is_empty(way) || (way.displacement.size() == unknowns && is_empty(rest)) ||
-         (fits(way, unknowns, rows) && way.displacement_low.size() == unknowns &&
-          way.force_low.size() == rows);
+  const Index besides =
+      way.displacement_low.size() + way.rigid.size() + way.force.size() + way.force_low.size();
+  return besides == 0 ? is_empty_or(way.displacement, unknowns)
+                      : fits(way, unknowns, rows) && way.displacement_low.size() == unknowns &&
+                            way.force_low.size() == rows;
 }
 
 /// The first part of a state that is not that of a model; empty if there is none.
