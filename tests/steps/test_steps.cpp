@@ -185,24 +185,12 @@ TEST_CASE("steps that are expected have the digits of steps that are not", "[ste
   scene.bodies[0].loads.edges[0].history = "press";
   if (friction > 0) scene.contacts[0].friction = Friction{friction};
   scene.path = Path{equal_steps(40), {proportional("press")}};
-  Ledger ledger;
-  Model model = build(scene, ledger);
-  CondensedPath path = condense_path(model, ledger);
-  PathState state;
   long long with = 0, without = 0;
-  for (const double time : scene.path->times) {
-    PathState blind = state;
-    blind.way = {};
-    const Step other = step(blind, time, model, path, {});
-    const Step next = step(state, time, model, path, {});
-    REQUIRE(next.solution.contact.report.status == SolveStatus::Solved);
-    const VectorXd& force = other.state.solution.force;
-    CHECK((next.state.solution.force - force).cwiseAbs().maxCoeff() <= 1e-12 * force.cwiseAbs().maxCoeff());
-    // What is refused is refused at once.
-    CHECK(next.solution.ledger.counted("refinement", "sets") <= other.solution.ledger.counted("refinement", "sets"));
-    with += next.solution.ledger.counted("refinement", "solves");
-    without += other.solution.ledger.counted("refinement", "solves");
-    state = next.state;
+  for (const TakenTwice& one : steps_taken_twice(scene, 1e-12)) {
+    const Ledger &ledger = one.step.solution.ledger, &blind = one.blind.solution.ledger;
+    CHECK(ledger.counted("refinement", "sets") <= blind.counted("refinement", "sets"));  // what is refused is refused at once
+    with += ledger.counted("refinement", "solves");
+    without += blind.counted("refinement", "solves");
   }
   CAPTURE(with, without);
   CHECK(with < without);

@@ -60,6 +60,27 @@ std::vector<Step> steps_of(const Scene& scene, const PathState& from) {
   return steps;
 }
 
+std::vector<TakenTwice> steps_taken_twice(const Scene& scene, double part) {
+  Ledger ledger;
+  Model model = build(scene, ledger);
+  CondensedPath path = condense_path(model, ledger);
+  std::vector<TakenTwice> all;
+  PathState state;
+  for (const double time : scene.path->times) {
+    PathState blind = state;
+    blind.way = {};
+    const Step other = step(blind, time, model, path, {});
+    const Step next = step(state, time, model, path, {});
+    REQUIRE(next.solution.contact.report.status == SolveStatus::Solved);
+    const Eigen::VectorXd& force = next.state.solution.force;
+    REQUIRE(other.state.solution.force.size() == force.size());
+    CHECK((other.state.solution.force - force).cwiseAbs().maxCoeff() <= part * force.cwiseAbs().maxCoeff());
+    all.push_back({state, next, other});
+    state = next.state;
+  }
+  return all;
+}
+
 std::string written(const PathState& state) {
   std::ostringstream out;
   write_state(state, out);

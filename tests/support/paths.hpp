@@ -22,6 +22,17 @@ signorini::Scene slab(int steps_per_leg, const std::vector<double>& drag);
 std::vector<signorini::Step> steps_of(const signorini::Scene& scene,
                                       const signorini::PathState& from = {});
 
+/// A step that was taken twice from one state.
+struct TakenTwice {
+  signorini::PathState before;
+  signorini::Step step;
+  signorini::Step blind;  ///< without what the state knows of the last way
+};
+
+/// All steps of a path, each of them twice: all are solved, and their forces agree.
+/// \param scene  with load steps \param part  of the largest force by which others may differ
+std::vector<TakenTwice> steps_taken_twice(const signorini::Scene& scene, double part);
+
 /// What write_state() writes.
 std::string written(const signorini::PathState& state);
 
