@@ -160,6 +160,7 @@ SceneRun plan_scene(const std::string& file, const Means& means, const char* com
   run.plan = at_file(run.file, [&] { return plan(run.file.scene); });
   add_notes(run.file.notes, run.plan.notes);
   run.prediction = run.step([&] { return predict(run.plan); });
+  run.plan.order = run.prediction.order;
   return run;
 }
 
@@ -172,7 +173,7 @@ void solve_scene(SceneRun& run, const StepObserver& observe) {
                                   [](const auto& one) { return one.phase == all_phases; });
   const std::string all =
       text(", ", to_string(total->certainty), ' ', number(total->amount, "%.2g"), " s in all");
-  Ledger ledger;
+  Ledger ledger = run.prediction.taken;
   progress.say(text("assembling ", figure("assembly", "unknowns"), " unknowns", all));
   {
     const Overdue overdue = watch(assembling(), run);

@@ -1,4 +1,6 @@
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "catch_compat.hpp"
 #include "signorini/core/ledger.hpp"
@@ -76,4 +78,24 @@ TEST_CASE("the printed ledger shows every phase with its counts", "[ledger]") {
   CHECK_THAT(out.str(), ContainsSubstring("factor"));
   CHECK_THAT(out.str(), ContainsSubstring("  numeric"));
   CHECK_THAT(out.str(), ContainsSubstring("nonzeros 1234"));
+}
+
+TEST_CASE("a phase that is entered again is printed with all that is in it", "[ledger]") {
+  Ledger ledger;
+  {
+    const Ledger::Phase factor(ledger, "factor");
+    const Ledger::Phase ordering(ledger, "ordering");
+  }
+  { const Ledger::Phase assembly(ledger, "assembly"); }
+  {
+    const Ledger::Phase factor(ledger, "factor");
+    const Ledger::Phase numeric(ledger, "numeric");
+  }
+  std::ostringstream table;
+  table << ledger;
+  std::vector<std::string> names;
+  std::istringstream lines(table.str());
+  for (std::string line; std::getline(lines, line);)
+    names.push_back(line.substr(0, line.find_last_not_of(' ', line.find("  ", 4)) + 1));
+  CHECK(names == std::vector<std::string>{"phase", "factor", "  ordering", "  numeric", "assembly"});
 }

@@ -148,6 +148,32 @@ TEST_CASE("what is said to be exact is so, and the operations of a run are withi
   }
 }
 
+TEST_CASE("a run that begins with the order of its forecast finds none, and has the same bits", "[prediction]") {
+  for (const auto& [name, scene] : scenes()) {
+    CAPTURE(name);
+    Plan planned = plan(scene());
+    const Prediction prediction = predict(planned);
+    CHECK(prediction.taken.counted("factor/ordering", "orders") == 1);
+    const auto solved = [&](Ledger ledger) {
+      const Model model = build(planned, ledger);
+      const Condensed condensed = condense(model, ledger);
+      return solve(model, condensed, std::move(ledger));
+    };
+    const Solution finds = solved({});
+    planned.order = prediction.order;
+    const Solution begins = solved(prediction.taken);
+    CHECK(finds.ledger.counted("factor/ordering", "orders") == 1);
+    CHECK(begins.ledger.counted("factor/ordering", "orders") == 1);
+    CHECK(begins.contact.force == finds.contact.force);
+    CHECK(begins.displacements == finds.displacements);
+  }
+  Plan other = plan(pressed_block());
+  other.backend = sparse_cholesky();
+  const Prediction prediction = predict(other);
+  CHECK_FALSE(prediction.order.has_value());
+  CHECK(prediction.taken.entries().empty());
+}
+
 TEST_CASE("bodies that nothing connects cost as many solves as there are, each of its own part",
           "[prediction][separate]") {
   const auto refinement = [](const Solution& solution, const char* what) {

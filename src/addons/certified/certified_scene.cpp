@@ -104,12 +104,17 @@ Solution certified_solve(const Model& model, const Condensed& condensed, const S
       return certified_solve(model, all, solver, std::move(ledger), options);
     }
   }
+  KnownMatrices found;
+  const bool known = few || condensed.known.diagonal.size() > 0;
+  if (!known) found = known_matrices(model.programme, model.law);
+  const KnownMatrices& matrices = known ? condensed.known : found;
   const auto solve_all = [&] {
-    return certified_solve(model.programme, condensed_programme(condensed, ledger),
-                           mode_shapes(model.modes), solver, options, ledger);
+    CondensedProgramme programme = condensed_programme(condensed, ledger);
+    programme.known = &matrices;
+    return certified_solve(model.programme, programme, mode_shapes(model.modes), solver, options, ledger);
   };
   CertifiedSolution end = few ? std::move(*few) : in_these_units(condensed.problem, solve_all);
-  std::vector<std::string> notes = notes_of(model, end, condensed.known);
+  std::vector<std::string> notes = notes_of(model, end, matrices);
   if (end.state.report.status == SolveStatus::Ray) end.state.reason = ray_in_words(model);
   Solution solution =
       recovered(model, condensed, std::move(end), std::move(notes), std::move(ledger));

@@ -7,12 +7,10 @@
 namespace signorini {
 namespace {
 
-using Tree = std::shared_ptr<const SeparatorTree>;
-
 /// A tree serves every matrix whose parts it keeps apart.
-Tree order_of(const Stiffness& K, Ledger& ledger) {
+EliminationOrder order_of(const Stiffness& K, Ledger& ledger) {
   const Ledger::Phase ordering(ledger, "ordering");
-  if (const Tree* before = std::any_cast<Tree>(&K.order))
+  if (const auto* before = std::any_cast<EliminationOrder>(&K.order))
     if (keeps_apart(**before, K.matrix)) return *before;
   ledger.count("orders", 1);
   return std::make_shared<const SeparatorTree>(
@@ -32,7 +30,7 @@ Factor factored(const Stiffness& K, Ledger& ledger) {
                                 },
                                 part.solve_operations};
           },
-          [factor] { return Tree(std::make_shared<const SeparatorTree>(factor->tree())); }};
+          [factor] { return EliminationOrder(std::make_shared<const SeparatorTree>(factor->tree())); }};
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 #include <array>
+#include <memory>
 #include <vector>
 
 #include "signorini/core/alignment.hpp"
@@ -25,6 +26,9 @@ struct SeparatorTree {
   std::vector<int> order;             ///< `n` unknown at each place of the order
   std::vector<Separator> separators;  ///< what is below comes directly before, the second part last
 };
+
+/// What Factor::order() of the back end `frontal` holds, and Plan::order for it.
+using EliminationOrder = std::shared_ptr<const SeparatorTree>;
 
 /// Cuts the unknowns in two, each part likewise, and puts behind both parts the unknowns that join them.
 ///

@@ -49,18 +49,19 @@ Pattern pattern_of(const Plan& plan) {
   known.rows = contact_rows(plan.gaps, plan.law);
   finish(plan, known);
   known.systems = systems_of(plan, known);
-  Ledger taken;
-  SeparatorTree tree;
   {
-    const Ledger::Phase phase(taken, "ordering");
-    tree = separator_tree(known.stiffness, unknown_positions(plan));
+    const Ledger::Phase factor(known.taken, "factor");
+    const Ledger::Phase ordering(known.taken, "ordering");
+    known.order = std::make_shared<const SeparatorTree>(
+        separator_tree(known.stiffness, unknown_positions(plan)));
+    known.taken.count("orders", 1);
   }
+  Ledger fronts;
   {
-    const Ledger::Phase phase(taken, "analysis");
-    known.fronts = fronts_of(known.stiffness, tree);
+    const Ledger::Phase phase(fronts, "analysis");
+    known.fronts = fronts_of(known.stiffness, *known.order);
   }
-  known.ordering = taken.seconds("ordering");
-  known.analysis = taken.seconds("analysis");
+  known.analysis = fronts.seconds("analysis");
   known.paths = row_paths(known.fronts, known.rows);
   return known;
 }

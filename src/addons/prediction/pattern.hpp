@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "addons/frontal/fronts.hpp"
+#include "addons/frontal/separator_tree.hpp"
 #include "signorini/core/alignment.hpp"
 #include "signorini/problem/systems.hpp"
 #include "signorini/scene/scene.hpp"
@@ -19,7 +20,8 @@ struct Pattern {
   std::vector<SystemParts> systems;       ///< that nothing connects, one at least
   Fronts fronts;                          ///< of K
   RowPaths paths;                         ///< of the rows through the fronts
-  double ordering = 0;                    ///< what it took to find the order of elimination [s]
+  EliminationOrder order;                 ///< of K
+  Ledger taken;                           ///< what it took to find the order, as a phase of the factor
   double analysis = 0;                    ///< what it took to find the fronts [s]
 };
 

@@ -7,6 +7,7 @@
 #include "addons/certified/many_bodies.hpp"
 #include "addons/certified/separate.hpp"
 #include "addons/certified/working_set.hpp"
+#include "addons/frontal/backend.hpp"
 #include "addons/prediction/front_speed.hpp"
 #include "addons/prediction/pattern.hpp"
 #include "addons/prediction/sample.hpp"
@@ -133,7 +134,7 @@ class Figures {
 
   void factor() {
     const Fronts& fronts = known_.fronts;
-    seconds(Frequency::Once, "factor/ordering", known_.ordering);
+    seconds(Frequency::Once, "factor/ordering", known_.taken.seconds("factor/ordering"));
     seconds(Frequency::Once, "factor/symbolic", known_.analysis);
     const char* const phase = "factor/numeric";
     add(Frequency::Once, phase, "nonzeros", static_cast<double>(fronts.nonzeros()), of_factor_);
@@ -297,6 +298,10 @@ Prediction predict(const Plan& plan) {
   prediction.unknown = why_not_counted(plan);
   const Pattern known = pattern_of(plan);
   prediction.figures = Figures(plan, known).all();
+  if (plan.backend.factor == frontal().factor) {
+    prediction.order = known.order;
+    prediction.taken = known.taken;
+  }
   return prediction;
 }
 

@@ -1,6 +1,7 @@
 /// \file
 /// What a plan will cost, said before there is a number, and what it did cost.
 #pragma once
+#include <any>
 #include <iosfwd>
 #include <optional>
 #include <string>
@@ -56,6 +57,9 @@ struct Prediction {
   std::string method;                    ///< which, and why
   std::string unknown;                   ///< why some figures are not known; empty if all are
   std::vector<PredictedFigure> figures;  ///< in the order in which a run meets them
+  /// Of elimination, which had to be found: a run that has it as Plan::order need not find it again. Empty for other back ends
+  std::any order;
+  Ledger taken;  ///< what a run that begins with it has done already
 
   /// One figure.
   /// \param phase  of it \param what  of it

@@ -75,8 +75,8 @@ void join_columns(const Eigen::SparseMatrix<double>& K, const Eigen::VectorXd& r
 DisjointSets joined(const QuadraticProgramme& programme, const FrictionLaw& law,
                     const SparseMatrix& null_vectors, double weak) {
   const Index n = programme.load.size();
-  const Eigen::VectorXd root =
-      Eigen::VectorXd(programme.stiffness.diagonal()).cwiseMax(0).cwiseSqrt();
+  Eigen::VectorXd root = Eigen::VectorXd::Zero(n);  // counts where something is weak
+  if (weak > 0) root = Eigen::VectorXd(programme.stiffness.diagonal()).cwiseMax(0).cwiseSqrt();
   const RowMatrix& A = programme.A;
   const Index pairs = A.rows() - static_cast<Index>(law.pair.size());
   DisjointSets sets(n);
