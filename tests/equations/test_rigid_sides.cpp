@@ -154,6 +154,38 @@ TEST_CASE("a rigid side goes along with a node that a history moves", "[rigid-si
   }));
 }
 
+// The foot of a block stands on the plane that it is pressed onto, so that all that its equations move is rounding. Without lateral
+// strain the whole block is under one pressure.
+TEST_CASE("a rigid foot that stands flat on a plane stays there", "[rigid-sides]") {
+  for (const double modulus : {1e-6, 1.0, 2.1e11})
+    for (const double friction : {0.0, 0.3})
+      for (const Index cells : {1, 4, 7}) {
+        CAPTURE(modulus, friction, cells);
+        RigidSide foot;
+        foot.side = {"bottom", "block"};
+        foot.x = 0;
+        if (cells != 4) foot.turn = 0;
+        Scene scene;
+        Body& body = scene.bodies[0];
+        body.mesh = block("block", {-1.0 / 3, 0}, {3.7, 1}, cells, 3, MeshOrder::Linear);
+        body.material = {modulus, 0, PlaneState::Strain};
+        EdgeLoad load;
+        load.boundary = "top";
+        load.pressure = 0.002 * modulus;
+        body.loads.edges = {load};
+        Bonds bonds;
+        bonds.rigid = {foot};
+        scene.bonds = std::make_shared<const Bonds>(bonds);
+        scene.contacts = {{{"bottom"}, half_plane({0, 0}, {0, 1})}};
+        if (friction > 0) scene.contacts[0].friction = Friction{friction, 0};
+        const SolvedScene run = solved(scene, "the block");
+        CHECK(run.solution.contact.force.sum() == Approx(3.7 * 0.002 * modulus).epsilon(1e-12));
+        const NodeArray& u = run.solution.displacements[0];
+        for (const Index node : boundary_nodes(run.model.bodies[0].mesh, "top"))
+          CHECK(u(node, 1) == Approx(-0.002).epsilon(1e-11));
+      }
+}
+
 // What is estimated are stresses, and the tractions along a bond belong to nobody's load.
 TEST_CASE("the error of a scene with bonds is not estimated", "[rigid-sides][errors]") {
   RigidSide level = top();

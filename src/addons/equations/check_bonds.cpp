@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "addons/equations/equations.hpp"
@@ -7,6 +8,7 @@
 #include "signorini/core/errors.hpp"
 #include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"
+#include "signorini/problem/certificate.hpp"
 #include "signorini/scene/bodies.hpp"
 #include "signorini/scene/pair_up.hpp"
 #include "signorini/scene/readings.hpp"
@@ -27,17 +29,23 @@ double rounded_length(const Model& model) {
   return 4 * epsilon * epsilon * farthest / certificate_tolerance;
 }
 
-/// By how much equations do not hold, beside how far their nodes move or how large their right sides are.
-double open_equations(const Model& model, const VectorXd& u, const VectorXd& left) {
+/// By how much equations do not hold, beside how far their nodes move or how large their right sides are; where they hold
+/// all that moves, beside the way of loads, as gaps are measured.
+double open_equations(const Model& model, const Solution& solution, const VectorXd& u, const VectorXd& left) {
   const Equations& all = *model.equations;
+  const QuadraticProgramme& programme = model.programme;
   const VectorXd terms = all.matrix.cwiseAbs() * u.cwiseAbs();
   double length = rounded_length(model);
+  double nearest = std::numeric_limits<double>::infinity();
   double most = 0;
   for (const Index k : all.held) {
-    length = std::max({length, terms(k), std::abs(all.rows[at(k)].right)});
+    const double right = std::abs(all.rows[at(k)].right);
+    length = std::max({length, terms(k), right});
+    if (right > 0) nearest = std::min(nearest, right);
     most = std::max(most, std::abs(left(k)));
   }
-  return ratio(most, length);
+  const VectorXd contact = programme.A.transpose() * solution.refined.force;
+  return ratio(most, std::max(length, way_of_loads(programme.load, contact, programme.stiffness.diagonal(), u, nearest)));
 }
 
 void add_loads(const Bond& bond, VectorXd& nodal) {
@@ -197,7 +205,7 @@ void check_bonds(const Model& model, const Condensed& /*condensed*/, Solution& s
     solution.bond_forces.emplace_back(Eigen::Map<const NodeArray>(
         nodal.data() + 2 * body.first_node, body.mesh.n_nodes(), 2));
   double& penetration = solution.certificate.penetration;
-  penetration = std::max(penetration, open_equations(model, u, left));
+  penetration = std::max(penetration, open_equations(model, solution, u, left));
   if (solution.certificate.holds()) return;
   solution.contact.report.status = SolveStatus::Breakdown;
   solution.contact.reason = "the equations do not hold to the digits that a certificate asks for";

@@ -143,6 +143,13 @@ struct EquationRows {
 [[nodiscard]] Certificate certify(const QuadraticProgramme& programme, const PrimalDual& solution,
                                   const FrictionLaw& law, const KnownMatrices* known = nullptr);
 
+/// The second length of certify(), for movements that contact or equations hold at 0.
+/// \param load      p `n` [force] \param contact  A^T lambda `n` [force] \param diagonal  of K `n` [force/length]
+/// \param u         [length] \param nearest  the least |g_i| / s_i > 0 [length]; infinity: all are 0
+/// \return how far the loads that are left would move the stiffest unknown, within the bounds above [length]
+[[nodiscard]] double way_of_loads(const Eigen::VectorXd& load, const Eigen::VectorXd& contact,
+                                  const Eigen::VectorXd& diagonal, const Eigen::VectorXd& u, double nearest);
+
 /// A condensed problem by its blocks, see ContactProblem.
 struct ProblemBlocks {
   const Eigen::MatrixXd& compliance;  ///< F

@@ -76,16 +76,9 @@ double force_size(const QuadraticProgramme& programme, const VectorXd& diagonal,
 }
 
 // How far the displacements go towards the obstacle, as the sum of the magnitudes of all terms,
-// since each term is rounded. Contact may hold all that moves. Then u is 0, and the length is how
-// far the forces that the body has to bear would move its stiffest unknown. If these forces are
-// rounding too, the largest force takes their place. Where K is weak they would move it
-// much further than anything goes, so that way counts up to the largest u. If all of u is rounding of it, the nearest gap
-// that is not 0 is a length of the problem too: a claim of u = 0 must not measure that gap by a way that nothing goes.
+// since each term is rounded; or the way of loads, if that is longer.
 double length_of(const QuadraticProgramme& programme, const VectorXd& diagonal,
                  const VectorXd& contact, const VectorXd& u, const VectorXd& unit) {
-  const double most = std::max(largest(programme.load), largest(contact));
-  const double sum = largest(programme.load - contact);
-  const bool rounding = sum <= static_cast<double>(contact.size()) * epsilon * most;
   double length = 0;
   double nearest = std::numeric_limits<double>::infinity();
   for (Index row = 0; row < programme.A.rows(); ++row) {
@@ -96,12 +89,7 @@ double length_of(const QuadraticProgramme& programme, const VectorXd& diagonal,
     const double gap = std::abs(programme.initial_gap(row)) / unit(row);
     if (gap > 0) nearest = std::min(nearest, gap);
   }
-  // Without this bound a weight of 1 on a spring of 1e-20 would forgive every overlap: its way is 1e20, and a claim of
-  // u = 0 is rounding of that.
-  const double way = ratio(rounding ? most : sum, largest(diagonal));
-  const double far = largest(u);
-  const bool at_rest = std::isfinite(way) && far <= epsilon * way;
-  return std::max(length, std::min(way, at_rest ? std::max(far, nearest) : far));
+  return std::max(length, way_of_loads(programme.load, contact, diagonal, u, nearest));
 }
 
 // The figures of one system, some of whose gaps may be equations. Rows of A are measured as if
@@ -201,6 +189,24 @@ Certificate certificate_of(const QuadraticProgramme& programme, const PrimalDual
 }
 
 }  // namespace
+
+// Contact may hold all that moves. Then u is 0, and the length is how
+// far the forces that the body has to bear would move its stiffest unknown. If these forces are
+// rounding too, the largest force takes their place. Where K is weak they would move it
+// much further than anything goes, so that way counts up to the largest u. Without this bound a weight of 1 on a spring
+// of 1e-20 would forgive every overlap: its way is 1e20, and a claim of u = 0 is rounding of that. If all of u is rounding
+// of it, the nearest gap that is not 0 is a length of the problem too: a claim of u = 0 must not measure that gap by a
+// way that nothing goes.
+double way_of_loads(const VectorXd& load, const VectorXd& contact, const VectorXd& diagonal, const VectorXd& u,
+                    double nearest) {
+  const double most = std::max(largest(load), largest(contact));
+  const double sum = largest(load - contact);
+  const bool rounding = sum <= static_cast<double>(contact.size()) * epsilon * most;
+  const double way = ratio(rounding ? most : sum, largest(diagonal));
+  const double far = largest(u);
+  const bool at_rest = std::isfinite(way) && far <= epsilon * way;
+  return std::min(way, at_rest ? std::max(far, nearest) : far);
+}
 
 // Without friction the first rows may be equations: their forces may have any sign. Contact has none; who
 // solves programmes with equations brings along how their forces are measured.
