@@ -1,4 +1,5 @@
 // The scene files in examples/ that have bonds, and a curved seat: closed forms, laws and mirrors.
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -13,10 +14,12 @@ using Eigen::Index;
 
 namespace {
 
-SolvedScene run_of(const std::string& name) {
+Scene scene_of(const std::string& name) {
   const std::filesystem::path root = std::filesystem::path(SIGNORINI_TEST_DATA) / ".." / "..";
-  return solved(read_scene(root / "examples" / (name + ".toml")).scene, name);
+  return read_scene(root / "examples" / (name + ".toml")).scene;
 }
+
+SolvedScene run_of(const std::string& name) { return solved(scene_of(name), name); }
 
 }  // namespace
 
@@ -57,6 +60,23 @@ TEST_CASE("the plate of the examples tilts by F e h / (E I)", "[rigid-sides][exa
   const std::vector<Index> top = boundary_nodes(run.model.bodies[0].mesh, "top");
   const double fall = std::abs(u(top.back(), 1) - u(top.front(), 1));
   CHECK(fall == Approx(80.0 * 100 * 5 * 20 / (5 * inertia)).epsilon(1e-9));
+}
+
+// Coulomb's law for all of the pad: 0.4 times 60, at the end of a drag that begins with all of it at rest.
+TEST_CASE("the stamp of the examples drags with its force times the coefficient of friction", "[rigid-sides][examples][steps]") {
+  const Scene scene = scene_of("pressed_stamp");
+  double sticking = 0;
+  const PathEnd end = solve_steps(scene, [&](const Model& model, const Step& step) {
+    const ContactState& contact = step.solution.contact;
+    CHECK(contact.force.sum() == Approx(60).epsilon(1e-10));
+    CHECK(bond_forces(model, step.solution)[0].force.x() == Approx(-contact.friction.sum()).margin(1e-10 * 60));
+    if (step.state.time == 1.1)
+      sticking = static_cast<double>(
+          std::count(contact.contact_status.begin(), contact.contact_status.end(), ContactStatus::Stick));
+    if (step.state.time == 2) CHECK(contact.friction.sum() == Approx(-24).epsilon(1e-10));
+  });
+  CHECK(end.status == SolveStatus::Solved);
+  CHECK(sticking > 0);
 }
 
 // All of it slides from the second step on: friction is 0.2 of what presses, and the spring of 400 N/mm bears what its ends have come

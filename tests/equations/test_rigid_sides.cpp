@@ -186,6 +186,124 @@ TEST_CASE("a rigid foot that stands flat on a plane stays there", "[rigid-sides]
       }
 }
 
+namespace {
+
+/// A block on a plane with friction, pressed and then dragged by a plate on its top.
+Scene dragged_block(bool moves) {
+  Scene scene;
+  Body& body = scene.bodies[0];
+  body.mesh = block("block", {0, 0}, {2, 1}, 6, 3, MeshOrder::Linear);
+  body.material = {100, 0.3, PlaneState::Strain};
+  scene.contacts = {{{"bottom"}, half_plane({0, 0}, {0, 1})}};
+  scene.contacts[0].friction = Friction{0.3, 0};
+  scene.path = Path{{0.5, 1, 1.5, 2, 3}, {{"press", {0, 1}, {0, 1}}, {"drag", {1, 2, 3}, {0, 1, 0.5}}}};
+  scene.moves = moves;
+  return scene;
+}
+
+/// The plate: \param shifted  whether its shift down is given, or the force on it
+Scene with_plate(Scene scene, bool shifted) {
+  RigidSide plate;
+  plate.side = {"top", "block"};
+  plate.centre = {1, 1};
+  plate.x = 0.02;
+  plate.turn = 0;
+  plate.histories.x = "drag";
+  (shifted ? plate.histories.y : plate.histories.force) = "press";
+  if (shifted)
+    plate.y = -0.01;
+  else
+    plate.force = {0, -3};
+  Bonds bonds;
+  bonds.rigid = {plate};
+  scene.bonds = std::make_shared<const Bonds>(bonds);
+  return scene;
+}
+
+std::vector<Step> steps_of(const Scene& scene) {
+  std::vector<Step> steps;
+  const PathEnd end = solve_steps(scene, [&](const Model&, const Step& step) { steps.push_back(step); });
+  CHECK(end.status == SolveStatus::Solved);
+  return steps;
+}
+
+}  // namespace
+
+TEST_CASE("a rigid side that follows two histories is a side whose displacements do", "[rigid-sides][steps]") {
+  for (const bool moves : {false, true}) {
+    CAPTURE(moves);
+    Scene given = dragged_block(moves);
+    Support press = prescribed("top", Axis::Y, -0.01), drag = prescribed("top", Axis::X, 0.02);
+    press.history = "press";
+    drag.history = "drag";
+    given.bodies[0].supports = {press, drag};
+    const std::vector<Step> expected = steps_of(given), steps = steps_of(with_plate(dragged_block(moves), true));
+    REQUIRE(steps.size() == expected.size());
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+      const Solution &one = steps[k].solution, &two = expected[k].solution;
+      CHECK(one.certificate.holds());
+      CHECK((one.displacements[0] - two.displacements[0]).cwiseAbs().maxCoeff() <= 1e-12 * 0.02);
+      CHECK((one.contact.friction - two.contact.friction).cwiseAbs().maxCoeff() <= 1e-11 * 3);
+    }
+  }
+}
+
+TEST_CASE("a force that drives a rigid side grows with its history", "[rigid-sides][steps]") {
+  for (const bool moves : {false, true}) {
+    CAPTURE(moves);
+    const std::vector<Step> steps = steps_of(with_plate(dragged_block(moves), false));
+    REQUIRE(steps.size() == 5);
+    for (std::size_t k = 0; k < steps.size(); ++k)
+      CHECK(steps[k].solution.contact.force.sum() == Approx(k == 0 ? 1.5 : 3).epsilon(1e-10));
+    CHECK(steps[3].solution.contact.friction.sum() == Approx(-0.9).epsilon(1e-9));  // all of it slides
+  }
+}
+
+TEST_CASE("the number of a relation grows with its history, that of a spring too", "[relations][steps]") {
+  for (const bool spring : {false, true}) {
+    CAPTURE(spring);
+    Scene scene = dragged_block(false);
+    scene.contacts.clear();
+    scene.bodies[0].material.poisson_ratio = 0;
+    scene.bodies[0].supports = {fixed("bottom")};
+    Relation pulled;
+    pulled.terms = {{{"top", "block"}, {}, {0, 1}, 1}};
+    pulled.right = 0.01;
+    pulled.history = "drag";
+    if (spring) pulled.stiffness = 50;
+    Bonds bonds;
+    bonds.relations = {pulled};
+    scene.bonds = std::make_shared<const Bonds>(bonds);
+    scene.bodies[0].mesh = block("block", {0, 0}, {2, 1}, 1, 1, MeshOrder::Linear);
+    const std::vector<Step> steps = steps_of(scene);
+    // The block is a spring of 200, and the two nodes have one of 50 each.
+    const double share = spring ? 100.0 / 300 : 1;
+    const std::vector<double> drag = {0, 0, 0.5, 1, 0.5};
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+      const NodeArray& u = steps[k].solution.displacements[0];
+      CHECK(u(2, 1) == Approx(0.01 * share * drag[k]).epsilon(1e-11).margin(1e-17));
+    }
+  }
+}
+
+TEST_CASE("histories that bonds cannot follow are refused", "[rigid-sides][relations][steps][errors]") {
+  Scene scene = with_plate(dragged_block(false), true);
+  scene.path->histories.pop_back();
+  CHECK(problem_message([&] { static_cast<void>(plan(scene)); }).find("no history is called 'drag'") !=
+        std::string::npos);
+  scene.path.reset();
+  CHECK(problem_message([&] { static_cast<void>(plan(scene)); }).find("has no load steps") != std::string::npos);
+  Relation bound;
+  bound.terms = {{{"top", "block"}, {}, {0, 1}, 1}};
+  bound.holds = Holds::AtMost;
+  bound.history = "press";
+  scene = dragged_block(false);
+  Bonds bonds;
+  bonds.relations = {bound};
+  scene.bonds = std::make_shared<const Bonds>(bonds);
+  CHECK(problem_message([&] { static_cast<void>(plan(scene)); }).find("stays where it is") != std::string::npos);
+}
+
 // What is estimated are stresses, and the tractions along a bond belong to nobody's load.
 TEST_CASE("the error of a scene with bonds is not estimated", "[rigid-sides][errors]") {
   RigidSide level = top();
@@ -196,6 +314,26 @@ TEST_CASE("the error of a scene with bonds is not estimated", "[rigid-sides][err
           static_cast<void>(estimate(run.model, run.condensed, run.solution,
                                      {"mean", Displacement{"block", Axis::Y, "top"}}, ledger));
         }).find("leave them out") != std::string::npos);
+}
+
+// What is given needs no force, and what is held needs no equation: neither would show in the numbers.
+TEST_CASE("forces that move nothing and bonds that hold nothing are noted", "[rigid-sides]") {
+  const auto notes = [](const RigidSide& rigid) {
+    std::string all;
+    for (const std::string& note : plan(pressed_block(rigid, 0.3)).notes) all += note + '\n';
+    return all;
+  };
+  RigidSide given = top();
+  given.x = 0.1;
+  given.force = {3, 10};
+  given.moment = 2;
+  CHECK(notes(given).find("x is given, so that a force along x on it moves nothing") != std::string::npos);
+  CHECK(notes(given).find("y is given") == std::string::npos);
+  CHECK(notes(given).find("turn is given") == std::string::npos);
+  CHECK(notes(given).find("does nothing") == std::string::npos);
+  RigidSide held = top();
+  held.side.boundary = "bottom";
+  CHECK(notes(held).find("supports hold all that it would hold, so that it does nothing") != std::string::npos);
 }
 
 TEST_CASE("numbers that a rigid side cannot have are refused", "[rigid-sides][errors]") {

@@ -3,6 +3,7 @@
 /// What holds bodies together: equations between displacements, as a scene asks for them, and springs in their place.
 #pragma once
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "signorini/scene/scene.hpp"
@@ -44,6 +45,16 @@ struct Relation {
   /// A spring in the place of the equation, > 0 [force/length]; none in that of a pair
   std::optional<double> stiffness = {};
   Holds holds = Holds::Equal;             ///< whether the sum is `right` or is bounded by it
+  std::string history = {};               ///< that the number of an equation follows; empty: it is always there
+};
+
+/// Histories of load steps that the numbers of a rigid side follow, each of the same name; empty: it is always there.
+struct RigidHistories {
+  std::string x = {};
+  std::string y = {};
+  std::string turn = {};
+  std::string force = {};
+  std::string moment = {};
 };
 
 /// A side that moves as a rigid body: a shift and a turn, each prescribed, or driven by forces, or neither.
@@ -55,6 +66,7 @@ struct RigidSide {
   std::optional<double> turn = {};                    ///< anticlockwise [rad], small
   Eigen::Vector2d force = Eigen::Vector2d::Zero();    ///< on the centre [force]
   double moment = 0;                                  ///< anticlockwise [force length]
+  RigidHistories histories = {};                      ///< none by default
 };
 
 /// All of a scene, see Scene::bonds.

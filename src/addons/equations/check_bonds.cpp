@@ -34,12 +34,13 @@ double rounded_length(const Model& model) {
 double open_equations(const Model& model, const Solution& solution, const VectorXd& u, const VectorXd& left) {
   const Equations& all = *model.equations;
   const QuadraticProgramme& programme = model.programme;
+  const Factors factors = factors_at(model.path.histories, model.time);
   const VectorXd terms = all.matrix.cwiseAbs() * u.cwiseAbs();
   double length = rounded_length(model);
   double nearest = std::numeric_limits<double>::infinity();
   double most = 0;
   for (const Index k : all.held) {
-    const double right = std::abs(all.rows[at(k)].right);
+    const double right = std::abs(factors(all.rows[at(k)].history) * all.rows[at(k)].right);
     length = std::max({length, terms(k), right});
     if (right > 0) nearest = std::min(nearest, right);
     most = std::max(most, std::abs(left(k)));
@@ -48,14 +49,15 @@ double open_equations(const Model& model, const Solution& solution, const Vector
   return ratio(most, std::max(length, way_of_loads(programme.load, contact, programme.stiffness.diagonal(), u, nearest)));
 }
 
-void add_loads(const Bond& bond, VectorXd& nodal) {
-  for (const auto& [component, force] : bond.loads) nodal(component) += force;
+void add_loads(const Bond& bond, const Model& model, VectorXd& nodal) {
+  for (const BondLoad& push : bond.loads)
+    nodal(push.component) += factor_of(model.path.histories, push.history, model.time) * push.force;
 }
 
 /// Forces on the components of all nodes: of rows, and what drives rigid sides.
-VectorXd on_nodes(const Equations& all, const VectorXd& forces) {
-  VectorXd nodal = all.matrix.transpose() * forces;
-  for (const Bond& bond : all.bonds) add_loads(bond, nodal);
+VectorXd on_nodes(const Model& model, const VectorXd& forces) {
+  VectorXd nodal = model.equations->matrix.transpose() * forces;
+  for (const Bond& bond : model.equations->bonds) add_loads(bond, model, nodal);
   return nodal;
 }
 
@@ -182,7 +184,7 @@ std::vector<BondForces> bond_forces(const Model& model, const Solution& solution
       add_pairs(model, bond, solution.equation_force, nodal, sum);
       continue;
     }
-    add_loads(bond, nodal);
+    add_loads(bond, model, nodal);
     add_nodes(model, bond.nodes, nodal, sum);
   }
   return sums;
@@ -197,9 +199,9 @@ void check_bonds(const Model& model, const Condensed& /*condensed*/, Solution& s
   const VectorXd left = -lacking_at(there, model);
   VectorXd forces = VectorXd::Zero(left.size());
   for (Index k = 0; k < left.size(); ++k) forces(k) = -all.rows[at(k)].stiffness.value_or(0) * left(k);
-  const VectorXd missing = missing_forces(model, solution, on_nodes(all, forces));
+  const VectorXd missing = missing_forces(model, solution, on_nodes(model, forces));
   forces += all.solved.right.transpose() * VectorXd(missing(all.solved.unknown));
-  const VectorXd nodal = on_nodes(all, forces);
+  const VectorXd nodal = on_nodes(model, forces);
   solution.equation_force = std::move(forces);
   for (const BodyModel& body : model.bodies)
     solution.bond_forces.emplace_back(Eigen::Map<const NodeArray>(

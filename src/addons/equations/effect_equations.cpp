@@ -3,6 +3,8 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <set>
+#include <string>
 #include <utility>
 
 #include "addons/equations/bonds.hpp"
@@ -77,6 +79,15 @@ void note_repeated(const Equations& all, const NodalRows& free, Plan& draft) {
                                equation_in_words(all, twice.front(), draft)));
 }
 
+/// Bonds of which supports hold all nodes: they bear nothing, and nothing else would show it.
+void note_held(const Equations& all, const NodalRows& free, Plan& draft) {
+  for (const Bond& bond : all.bonds) {
+    bool moves = bond.end == bond.first && bond.left_out.empty();
+    for (std::size_t k = bond.first; k < bond.end; ++k) moves = moves || NodalRows::InnerIterator(free, static_cast<Index>(k));
+    if (!moves) draft.notes.push_back(bond.what + ": supports hold all that it would hold, so that it does nothing");
+  }
+}
+
 /// Supports that hold a node of a tie and the node of the other side that lies at the same place must move both alike: no force closes
 /// what they open.
 void check_left_out(const Plan& draft, const Bond& bond, const VectorXd& given, const std::string& when) {
@@ -109,14 +120,14 @@ void solve_rows(const Scene& scene, Plan& draft, Equations& all) {
   }
   const NodalRows free = free_columns(all.matrix, draft.unknowns);
   bool known = false;
-  each_given(scene, draft, [&](const NodeArray& held, std::optional<double> time) {
+  each_given(scene, draft, all, [&](const NodeArray& held, const VectorXd& right, std::optional<double> time) {
     const std::string when = time ? text(" at time ", *time) : "";
     for (const Bond& bond : all.bonds)
       check_left_out(draft, bond, held.reshaped<Eigen::RowMajor>(), when);
     if (std::exchange(known, true) && all.solved.repeated.empty()) return;
     VectorXd rounding = VectorXd::Constant(free.rows(), 64 * epsilon * held.cwiseAbs().maxCoeff());
     for (Index k = 0; k < rounding.size(); ++k) rounding(k) += all.rows[at(k)].rounding;
-    all.solved = eliminate(free, right_sides(all, held), rounding, own, all.held);
+    all.solved = eliminate(free, right, rounding, own, all.held);
     const std::vector<Index>& wrong = all.solved.contradicting;
     require_input(wrong.empty(), wrong.size(),
                   wrong.size() == 1 ? " equation contradicts" : " equations contradict", " others or supports",
@@ -125,6 +136,7 @@ void solve_rows(const Scene& scene, Plan& draft, Equations& all) {
                   ". Leave out one of those that hold the same displacement");
   });
   note_repeated(all, free, draft);
+  note_held(all, free, draft);
 }
 
 /// The pairs of contacts that never lift off.
@@ -140,6 +152,19 @@ void add_two_sided(const Scene& scene, Plan& draft) {
     if (std::find(bonds.two_sided.begin(), bonds.two_sided.end(), draft.contact_of[pair]) !=
         bonds.two_sided.end())
       draft.two_sided.push_back(static_cast<Index>(pair));
+}
+
+/// Tells load steps which histories equations and what drives rigid sides follow.
+void follow_histories(const Scene& scene, const Equations& all, Plan& draft) {
+  for (const Bond& bond : all.bonds) {
+    std::set<std::string> own;
+    for (std::size_t k = bond.first; k < bond.end; ++k) own.insert(all.rows[k].history);
+    for (const BondLoad& load : bond.loads) own.insert(load.history);
+    own.erase("");
+    require_input(own.empty() || scene.path, bond.what, " follows the history '", own.empty() ? "" : *own.begin(),
+                  "', but the scene has no load steps: give it a `path`, or leave the history out");
+    draft.follows.insert(draft.follows.end(), own.begin(), own.end());
+  }
 }
 
 void declare_equations(const Scene& scene, Plan& draft) {
@@ -159,6 +184,7 @@ void declare_equations(const Scene& scene, Plan& draft) {
     add_rigid(rigid, draft, *all);
     check_turns(scene, all->bonds.back().what);
   }
+  follow_histories(scene, *all, draft);
   all->matrix = matrix_of(all->rows, 2 * count_nodes(draft.bodies));
   solve_rows(scene, draft, *all);
   add_two_sided(scene, draft);

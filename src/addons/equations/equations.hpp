@@ -3,6 +3,7 @@
 /// Equations between displacement components, solved for one unknown each.
 #pragma once
 #include <Eigen/SparseCore>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -25,7 +26,8 @@ struct Tie;
 struct Equation {
   /// Component of a node, 2 * node + axis with the nodes of all bodies one after another, and its coefficient [-].
   std::vector<std::pair<Eigen::Index, double>> terms = {};
-  double right = 0;        ///< [length]
+  double right = 0;        ///< where its history is 1 [length]
+  std::string history = {};  ///< that `right` follows; empty: it is always there
   double rounding = 0;     ///< of `right` [length]
   Eigen::Index own = -1;   ///< component to solve it for; -1: any
   Eigen::Index pair = -1;  ///< of its bond, of whose rows it is a combination; -1: none
@@ -36,6 +38,13 @@ struct Equation {
 
 /// \param rows  `m` \param components  of all nodes \return C `m x components` of their terms
 [[nodiscard]] NodalRows matrix_of(const std::vector<Equation>& rows, Eigen::Index components);
+
+/// A force on a component of a node.
+struct BondLoad {
+  Eigen::Index component;  ///< 2 * node + axis
+  double force;            ///< where its history is 1 [force]
+  std::string history;     ///< that it follows; empty: it is always there
+};
 
 /// Equations of one origin.
 struct Bond {
@@ -48,8 +57,7 @@ struct Bond {
   std::size_t first = 0;   ///< of its equations
   std::size_t end = 0;     ///< the one after its last
   std::vector<Equation> left_out = {};  ///< of a tie: supports hold its node, and part of what this faces
-  /// Of a rigid side: component and force of what drives it [force].
-  std::vector<std::pair<Eigen::Index, double>> loads = {};
+  std::vector<BondLoad> loads = {};  ///< what drives a rigid side
 };
 
 /// The equations of a plan.
@@ -99,9 +107,21 @@ void add_one_sided(const Relation& relation, const std::string& name, const std:
 /// \throws ProblemError for numbers that are not finite, and in axial symmetry
 void add_rigid(const RigidSide& rigid, Plan& draft, Equations& all);
 
-/// \param all  equations \param held  given displacements of all nodes `n_nodes x 2` [length]
+/// What histories are at a time, by their names.
+using Factors = std::function<double(const std::string& history)>;
+
+/// \param histories  of a path, which must outlive what is returned \param time  any [time] \return what they are then
+[[nodiscard]] Factors factors_at(const std::vector<History>& histories, double time);
+
+/// \param all  equations \param held  given displacements of all nodes `n_nodes x 2` [length] \param factors  of histories
 /// \return `m` what the equations say of the unknowns then [length]
-[[nodiscard]] Eigen::VectorXd right_sides(const Equations& all, const NodeArray& held);
+[[nodiscard]] Eigen::VectorXd right_sides(const Equations& all, const NodeArray& held, const Factors& factors);
+
+/// The same as each_given() of supports alone. \param scene  any \param draft  its plan so far \param all  equations
+/// \param visit  gets given displacements, right_sides() then, and the time of the step, if there is one
+void each_given(const Scene& scene, const Plan& draft, const Equations& all,
+                const std::function<void(const NodeArray& held, const Eigen::VectorXd& right,
+                                         std::optional<double> time)>& visit);
 
 /// Leaves out pairs that equations let neither open nor close: the forces of the equations are all that can be told there.
 /// And slips that they say are none.

@@ -39,10 +39,10 @@ struct Given {
   VectorXd rounding;  // of it
 };
 
-/// What the unknowns are where those that are left are 0 [length]. \param held  given displacements of all nodes
-VectorXd given_by(const Equations& all, const Unknowns& unknowns, const NodeArray& held) {
+/// What the unknowns are where those that are left are 0 [length]. \param right  what the equations say of them
+VectorXd given_by(const Equations& all, const Unknowns& unknowns, const VectorXd& right) {
   VectorXd given = VectorXd::Zero(unknowns.count);
-  given(all.solved.unknown) = VectorXd(all.solved.right * right_sides(all, held));
+  given(all.solved.unknown) = VectorXd(all.solved.right * right);
   return given;
 }
 
@@ -126,12 +126,12 @@ void check_given(const Scene& scene, const Plan& draft, Index pair, double gap, 
 }
 
 /// Asks it of pairs at a time. \param given  their numbers \param held  displacements that supports give then
-void check_gaps(const Scene& scene, const Plan& draft, const Equations& all,
-                const std::vector<Index>& given, const NodeArray& held, std::optional<double> time) {
+/// \param others  what the unknowns are then
+void check_gaps(const Scene& scene, const Plan& draft, const std::vector<Index>& given, const NodeArray& held,
+                const VectorXd& others, std::optional<double> time) {
   const Gaps& gaps = draft.gaps;
   const VectorXd moved = (held - draft.unknowns.held).reshaped<Eigen::RowMajor>();
-  const Given opening(gaps.A, gaps.pairs.initial_gap + gaps.pairs.opening * moved, -1,
-                      given_by(all, draft.unknowns, held));
+  const Given opening(gaps.A, gaps.pairs.initial_gap + gaps.pairs.opening * moved, -1, others);
   for (const Index pair : given) {
     const Eigen::Vector2d x = gaps.pairs.position.row(pair).transpose();
     const std::size_t contact = draft.contact_of[at(pair)];
@@ -144,11 +144,10 @@ void check_gaps(const Scene& scene, const Plan& draft, const Equations& all,
 }
 
 /// Marks pairs that equations and supports make slide at a time.
-void see_slips(const Plan& draft, const Equations& all, const NodeArray& held, std::vector<bool>& slides) {
+void see_slips(const Plan& draft, const NodeArray& held, const VectorXd& others, std::vector<bool>& slides) {
   const Gaps& gaps = draft.gaps;
   const VectorXd moved = (held - draft.unknowns.held).reshaped<Eigen::RowMajor>();
-  const Given sliding(gaps.T, gaps.initial_slip + gaps.pairs.sliding * moved, 1,
-                      given_by(all, draft.unknowns, held));
+  const Given sliding(gaps.T, gaps.initial_slip + gaps.pairs.sliding * moved, 1, others);
   for (Index pair = 0; pair < sliding.value.size(); ++pair)
     if (std::abs(sliding.value(pair)) > gap_rounding(gaps.pairs) + sliding.rounding(pair))
       slides[at(pair)] = true;
@@ -181,10 +180,24 @@ void note_given(const Scene& scene, const std::vector<Index>& given, Plan& draft
 
 }  // namespace
 
-VectorXd right_sides(const Equations& all, const NodeArray& held) {
+Factors factors_at(const std::vector<History>& histories, double time) {
+  return [&histories, time](const std::string& history) { return factor_of(histories, history, time); };
+}
+
+VectorXd right_sides(const Equations& all, const NodeArray& held, const Factors& factors) {
   VectorXd right = -(all.matrix * Eigen::Map<const VectorXd>(held.data(), held.size()));
-  for (Index k = 0; k < right.size(); ++k) right(k) += all.rows[at(k)].right;
+  for (Index k = 0; k < right.size(); ++k)
+    right(k) += factors(all.rows[at(k)].history) * all.rows[at(k)].right;
   return right;
+}
+
+void each_given(const Scene& scene, const Plan& draft, const Equations& all,
+                const std::function<void(const NodeArray&, const VectorXd&, std::optional<double>)>& visit) {
+  const std::vector<History> none;
+  each_given(scene, draft, [&](const NodeArray& held, std::optional<double> time) {
+    const std::vector<History>& histories = scene.path ? scene.path->histories : none;
+    visit(held, right_sides(all, held, factors_at(histories, time.value_or(0))), time);
+  });
 }
 
 NodalRows on_free_unknowns(const NodalRows& rows, const Sparse& by_free) {
@@ -215,9 +228,10 @@ void leave_out_given_pairs(const Scene& scene, Equations& all, Plan& draft) {
     for (Index pair = 0; pair < count; ++pair) slides[at(pair)] = has_entries(sliding, pair);
   }
   if (given.empty() && std::count(slides.begin(), slides.end(), false) == 0) return;
-  each_given(scene, draft, [&](const NodeArray& held, std::optional<double> time) {
-    check_gaps(scene, draft, all, given, held, time);
-    if (!draft.law.pair.empty()) see_slips(draft, all, held, slides);
+  each_given(scene, draft, all, [&](const NodeArray& held, const VectorXd& right, std::optional<double> time) {
+    const VectorXd others = given_by(all, draft.unknowns, right);
+    check_gaps(scene, draft, given, held, others, time);
+    if (!draft.law.pair.empty()) see_slips(draft, held, others, slides);
   });
   for (const Index pair : draft.law.pair)
     if (!slides[at(pair)]) check_moves(scene, draft, pair);

@@ -93,6 +93,9 @@ void check_relation(const Relation& relation, const std::string& what) {
   require_input(!relation.stiffness || relation.holds == Holds::Equal, what, ": stiffness = ", stiffness,
                 " is of a spring that pulls and presses, and at_most and at_least let go: leave stiffness out, "
                 "or write right in their place");
+  require_input(relation.history.empty() || relation.holds == Holds::Equal, what, ": it follows the history '",
+                relation.history, "', and a bound that at_most or at_least gives stays where it is: leave the history "
+                "out, or make the bound a contact whose interference follows it");
 }
 
 /// How a rigid side moves, by the displacements of two of its nodes: those of the first, and that of the second across the line
@@ -180,6 +183,7 @@ void add_relation(const Relation& relation, std::size_t number, Plan& draft, Equ
       add_to(terms, one.nodes[one.term->only_at ? 0 : k], one.term->times * one.term->along);
     rows.push_back(equation_of(terms, relation.right));
     rows.back().stiffness = relation.stiffness;
+    rows.back().history = relation.history;
   }
   const bool equal = relation.holds == Holds::Equal;
   draft.on.push_back(text(bond.what, " of ", relation.terms.size(),
@@ -203,21 +207,37 @@ void add_rigid(const RigidSide& rigid, Plan& draft, Equations& all) {
   const RigidMotion motion(bond.nodes, draft);
   bond.first = all.rows.size();
   add_rigid_rows(bond.nodes, motion, draft, all.rows);
-  const auto give = [&](const std::optional<double>& given, const Vector2d& along, double turn) {
+  const RigidHistories& histories = rigid.histories;
+  const auto give = [&](const std::optional<double>& given, const std::string& history, const Vector2d& along,
+                        double turn) {
     if (!given) return;
     std::map<Index, double> terms;
     if (turn == 0) motion.add_shift(rigid.centre, along, 1, terms);
     motion.add_turn(turn, terms);
     all.rows.push_back(equation_of(terms, *given * (turn == 0 ? 1 : turn)));
+    all.rows.back().history = history;
   };
-  give(rigid.x, {1, 0}, 0);
-  give(rigid.y, {0, 1}, 0);
-  give(rigid.turn, {0, 0}, motion.line().norm());  // so that its equation is of lengths, too
+  give(rigid.x, histories.x, {1, 0}, 0);
+  give(rigid.y, histories.y, {0, 1}, 0);
+  give(rigid.turn, histories.turn, {0, 0}, motion.line().norm());  // so that its equation is of lengths, too
   bond.end = all.rows.size();
-  std::map<Index, double> push;
-  motion.add_shift(rigid.centre, rigid.force, 1, push);
-  motion.add_turn(rigid.moment, push);
-  for (const auto& [component, force] : push) bond.loads.emplace_back(component, force);
+  const auto drive = [&](const Vector2d& force, double moment, const std::string& history) {
+    if (force.isZero(0) && moment == 0) return;
+    std::map<Index, double> push;
+    motion.add_shift(rigid.centre, force, 1, push);
+    motion.add_turn(moment, push);
+    for (const auto& [component, value] : push) bond.loads.push_back({component, value, history});
+  };
+  const auto note = [&](bool given, const char* way, double load, const char* what) {
+    if (given && load != 0)
+      draft.notes.push_back(text(bond.what, ": ", way, " is given, so that ", what,
+                                 " on it moves nothing: what gives the one bears the other"));
+  };
+  note(rigid.x.has_value(), "x", rigid.force.x(), "a force along x");
+  note(rigid.y.has_value(), "y", rigid.force.y(), "a force along y");
+  note(rigid.turn.has_value(), "turn", rigid.moment, "a moment");
+  drive(rigid.force, 0, histories.force);
+  drive({0, 0}, rigid.moment, histories.moment);
   draft.on.push_back(text(bond.what, ": ", bond.end - bond.first, " equations"));
   all.bonds.push_back(std::move(bond));
 }

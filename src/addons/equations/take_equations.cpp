@@ -58,28 +58,26 @@ class Taking {
         T_(part_of(all_.solved, model.unknowns.count, false)),
         E_(part_of(all_.solved, model.unknowns.count, true)),
         C_(free_columns(all_.matrix, model.unknowns)),
-        stiffness_(static_cast<Index>(all_.rows.size())),
-        pushes_(VectorXd::Zero(model.unknowns.count)) {
+        stiffness_(static_cast<Index>(all_.rows.size())) {
     for (Index k = 0; k < stiffness_.size(); ++k)
       stiffness_(k) = all_.rows[at(k)].stiffness.value_or(0);
     Sparse& K = model.programme.stiffness;
     if (stiffness_.size() > static_cast<Index>(all_.held.size()))
       K += symmetric(Sparse(C_.transpose()) * Sparse(stiffness_.asDiagonal() * C_));
     springs_ = VectorXd(K.diagonal())(all_.solved.unknown);
-    for (const Bond& bond : all_.bonds)
-      for (const auto& [component, force] : bond.loads)
-        if (const Index k = model.unknowns.number(component / 2, component % 2); k >= 0)
-          pushes_(k) += force;
   }
 
-  /// Changes p and g. \param right  h `m` \param load  p \param movement  g
-  /// \param pushed  whether p has what drives rigid sides
-  void take(const VectorXd& right, bool pushed, VectorXd& load, VectorXd& movement) const {
+  /// Changes p and g. \param right  h `m` \param load  p, which gets what drives rigid sides \param movement  g
+  /// \param factors  of histories
+  void take(const VectorXd& right, const Factors& factors, VectorXd& load, VectorXd& movement) const {
     const QuadraticProgramme& programme = model_.programme;
     const VectorXd given = all_.solved.right * right;
     VectorXd shift = VectorXd::Zero(load.size());
     shift(all_.solved.unknown) = given;
-    if (pushed) load += pushes_;
+    for (const Bond& bond : all_.bonds)
+      for (const BondLoad& push : bond.loads)
+        if (const Index k = model_.unknowns.number(push.component / 2, push.component % 2); k >= 0)
+          load(k) += factors(push.history) * push.force;
     load += C_.transpose() * stiffness_.cwiseProduct(right);
     const VectorXd rest = load - programme.stiffness * shift;
     load = T_.transpose() * rest + E_.transpose() * springs_.cwiseProduct(given);
@@ -95,18 +93,12 @@ class Taking {
     programme.stiffness.makeCompressed();
   }
 
-  /// h of given displacements. \param held  `n_nodes x 2` of all bodies
-  [[nodiscard]] VectorXd right_of(const NodeArray& held) const {
-    return -(all_.matrix * Eigen::Map<const VectorXd>(held.data(), held.size()));
-  }
-
  private:
   Model& model_;
   const Equations& all_;
   Sparse T_, E_;
   NodalRows C_;         // on the unknowns
   VectorXd stiffness_;  // of rows that are springs
-  VectorXd pushes_;     // p of what drives rigid sides
   VectorXd springs_;    // on the differences of eliminated unknowns from what the equations say
 };
 
@@ -143,27 +135,27 @@ void take_equations(Model& model) {
     model.equations = std::move(kept);
   }
   Taking taking(model);
-  VectorXd constant(static_cast<Index>(model.equations->rows.size()));
-  for (Index k = 0; k < constant.size(); ++k) constant(k) = model.equations->rows[at(k)].right;
   QuadraticProgramme& programme = model.programme;
-  taking.take(constant + taking.right_of(model.unknowns.held), true, programme.load,
+  const Factors all_there = [](const std::string&) { return 1.0; };
+  taking.take(right_sides(*model.equations, model.unknowns.held, all_there), all_there, programme.load,
               programme.initial_gap);
   for (LoadPart& part : model.parts) {
+    const Factors own = [&part](const std::string& history) { return history == part.history ? 1.0 : 0.0; };
     NodeArray held(count_nodes(model.bodies), 2);
     for (std::size_t b = 0; b < model.bodies.size(); ++b)
       held.middleRows(model.bodies[b].first_node, part.held[b].rows()) = part.held[b];
-    VectorXd right = taking.right_of(held);
-    if (part.history.empty()) right += constant;
-    taking.take(right, part.history.empty(), part.load, part.movement);
+    taking.take(right_sides(*model.equations, held, own), own, part.load, part.movement);
   }
   taking.take_matrices();
 }
 
 VectorXd lacking_at(const Displaced& place, const Model& model) {
   const Equations& all = *model.equations;
+  const Factors factors = factors_at(model.path.histories, model.time);
   VectorXd lacking(all.matrix.rows());
   for (Index row = 0; row < lacking.size(); ++row) {
-    ExactSum sum(all.rows[at(row)].right);
+    ExactSum sum;
+    sum.add_product(factors(all.rows[at(row)].history), all.rows[at(row)].right);
     for (NodalRows::InnerIterator it(all.matrix, row); it; ++it) {
       const Index node = it.col() / 2, axis = it.col() % 2;
       const bool held = model.unknowns.number(node, axis) < 0;
@@ -195,7 +187,7 @@ void take_equations_of_forces(const Displaced& at, bool tangent, Model& model) {
     reduced.swap(programme.stiffness);
   }
   Taking taking(model);
-  taking.take(lacking_at(at, model), true, programme.load, programme.initial_gap);
+  taking.take(lacking_at(at, model), factors_at(model.path.histories, model.time), programme.load, programme.initial_gap);
   if (tangent)
     taking.take_matrices();
   else

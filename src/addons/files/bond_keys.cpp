@@ -65,6 +65,18 @@ Key<SceneDraft> bond_key(const char* name, const char* help,
           }};
 }
 
+/// A key of a rigid side of which the value may grow with a history.
+template <typename M>
+Key<RigidDraft> growing_key(const char* name, M RigidSide::*member, std::string RigidHistories::*history,
+                            const char* unit, const char* help) {
+  Key<RigidSide> made = key(name, member, unit, help);
+  made.type += ", may grow";
+  made.read = [member, history](const Value& value, RigidSide& rigid) {
+    take_growing(value, rigid.*member, rigid.histories.*history);
+  };
+  return made;
+}
+
 template <typename Draft>
 Key<Draft> side_key(const char* help) {
   return {{"side", "\"BODY.BOUNDARY\"", "", "", help, true},
@@ -114,7 +126,10 @@ const Keys<RelationDraft>& relation_keys() {
       {{"terms", "table or list of them", "", "",
         "that add up, as { side = \"right\", along = [0, 1], times = -1 }, see terms", true},
        read_terms},
-      key("right", &RelationDraft::right, "length", "what the terms add up to"),
+      {{"right", "number, may grow", "length", "0", "what the terms add up to"},
+       [](const Value& value, RelationDraft& relation) {
+         take_growing(value, relation.right, relation.history);
+       }},
       limit_key("at_most", Holds::AtMost, "instead of right: what they may reach and not pass, as a contact"),
       limit_key("at_least", Holds::AtLeast, "the same from above"),
       key("stiffness", &RelationDraft::stiffness, "force/length",
@@ -126,11 +141,11 @@ const Keys<RigidDraft>& rigid_keys() {
   static const Keys<RigidDraft> keys = {
       side_key<RigidDraft>("whose nodes move as a rigid body"),
       key("centre", &RigidDraft::centre, "length", "point that moves by x and y, and that force acts on"),
-      key("x", &RigidDraft::x, "length", "given displacement of the centre along x; free without it"),
-      key("y", &RigidDraft::y, "length", "given displacement of the centre along y; free without it"),
-      key("turn", &RigidDraft::turn, "rad", "given turn, anticlockwise and small; free without it"),
-      key("force", &RigidDraft::force, "force", "on the centre"),
-      key("moment", &RigidDraft::moment, "force*length", "anticlockwise")};
+      growing_key("x", &RigidSide::x, &RigidHistories::x, "length", "given displacement of the centre along x; free without it"),
+      growing_key("y", &RigidSide::y, &RigidHistories::y, "length", "given displacement of the centre along y; free without it"),
+      growing_key("turn", &RigidSide::turn, &RigidHistories::turn, "rad", "given turn, anticlockwise and small; free without it"),
+      growing_key("force", &RigidSide::force, &RigidHistories::force, "force", "on the centre"),
+      growing_key("moment", &RigidSide::moment, &RigidHistories::moment, "force*length", "anticlockwise")};
   return keys;
 }
 

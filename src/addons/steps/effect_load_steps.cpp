@@ -86,6 +86,10 @@ class Sorting {
     }
     for (const ContactSpec& contact : scene.contacts)
       if (contact.interference.value_or(0) != 0) ++entries_[contact.interference_history];
+    for (const std::string& history : draft.follows) {
+      check_known(history, scene.path->histories);
+      ++entries_[history];
+    }
   }
 
   [[nodiscard]] std::vector<LoadPart>& parts() { return parts_; }

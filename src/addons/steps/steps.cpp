@@ -93,6 +93,7 @@ VectorXd free_displacement(double time, const Model& model, const CondensedPath&
 void set_time(double time, Model& model) {
   check_steps(model, "set_time");
   QuadraticProgramme& programme = model.programme;
+  model.time = time;
   programme.load.setZero();
   for (const LoadPart& part : model.parts)
     programme.load += factor_of(model.path.histories, part.history, time) * part.load;
