@@ -27,7 +27,12 @@ def card(out, keyword, sets):
 def main():
     if len(sys.argv) != 3:
         sys.exit(__doc__.strip().splitlines()[0])
-    mesh = meshio.read(sys.argv[1], file_format="med")
+    try:
+        mesh = meshio.read(sys.argv[1], file_format="med")
+    except (OSError, meshio.ReadError) as error:
+        sys.exit("med2inp.py: %s: %s" % (sys.argv[1], error))
+    except KeyError as error:
+        sys.exit("med2inp.py: %s: this is no MED file, it has no %s; of Exodus, meshio convert makes an input file" % (sys.argv[1], error))
     element_sets, node_sets, first = {}, {}, 1
     with open(sys.argv[2], "w", encoding="utf-8") as out:
         out.write("*NODE\n")

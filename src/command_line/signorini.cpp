@@ -146,8 +146,10 @@ int plan_scene(const Request& request) {
 int tell_of_mesh(const Request& request) {
   const std::string& plot = request.output.plot;
   if (!plot.empty()) static_cast<void>(command_line::picture_kind(plot));
+  const command_line::Progress progress("reading " + request.file);
   const command_line::MeshRun run = command_line::read_meshes(request.file);
   command_line::Drafts drafts(command_line::files_of(request.output), run.files);
+  progress.say("");
   if (request.json) {
     Json json;
     command_line::write(json, run);
@@ -155,9 +157,11 @@ int tell_of_mesh(const Request& request) {
   } else {
     command_line::print(std::cout, run);
   }
-  if (!plot.empty())
+  if (!plot.empty()) {
+    progress.say("drawing " + plot);
     drafts.publish(
         [&] { command_line::draw(drafts.begin(plot), command_line::picture_kind(plot), run); });
+  }
   return command_line::usable(run) ? solved : not_solved;
 }
 

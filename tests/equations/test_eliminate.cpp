@@ -62,6 +62,8 @@ TEST_CASE("rows that others say are told from those that contradict", "[eliminat
   const Eliminated other = eliminated(rows, Eigen::Vector4d(3, 4, 14.001, 5));
   CHECK(other.repeated.empty());
   CHECK(other.contradicting == Numbers{2});
+  CHECK(other.apart == Approx(0.001).epsilon(1e-9));
+  CHECK((other.other == 0 || other.other == 1));
   // Rows that are no equations say nothing.
   const Eliminated some = eliminate(rows.sparseView(), Eigen::Vector4d(3, 4, 14.001, 5),
                                     Eigen::Vector4d::Zero(), Numbers(4, -1), {0, 1, 3});

@@ -298,3 +298,22 @@ TEST_CASE("relations up to a number that cannot be meant are refused", "[one_sid
   REQUIRE(given.notes.size() == 1);
   CHECK(given.notes[0].find("relation 1: 3 pairs can neither open nor close") != std::string::npos);
 }
+
+// The proof weighs one pair of each relation, those of the same node.
+TEST_CASE("bounds that leave nothing between them are named", "[relations]") {
+  Relation most;
+  most.terms = {term({"top", "bar"})};
+  most.holds = Holds::AtMost;
+  most.right = 0.002;
+  Relation least = most;
+  least.holds = Holds::AtLeast;
+  least.right = 0.003;
+  Scene scene = one_bar(5, most);
+  bind(scene, {most, least});
+  const Solution solution = solve(scene);
+  CHECK(solution.contact.report.status == SolveStatus::Infeasible);
+  const std::string why = why_unsolved(solution);
+  CHECK(why.find("relation 1") != std::string::npos);
+  CHECK(why.find("relation 2") != std::string::npos);
+  CHECK(why.find("nothing that moves opens the overlaps of all") != std::string::npos);
+}

@@ -1,4 +1,5 @@
 // Ties of meshes that do not match, under a uniform stress.
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -28,6 +29,44 @@ TEST_CASE("a uniform stress passes a tie of meshes that do not match", "[ties][p
     CHECK(stress_error(run, unit.stress * stress) <= 1e-11);
     CHECK(run.solution.certificate.holds());
     CHECK(run.model.modes.empty());
+  }
+}
+
+// Supports hold the ends of both sides, so that the rows of these nodes have nothing to hold, and the traction there is borne by others.
+TEST_CASE("a uniform stress passes a tie whose ends are held on both sides", "[ties][patch]") {
+  const Vector3d stress(1, -3, 0.5);
+  const double angle = GENERATE(0.0, 0.4);
+  const bool fine_source = GENERATE(false, true);
+  const double shear = 2 * 1.3 / 1000;  // 2 (1 + nu) / E
+  const double xx = 1.3 / 1000 * (0.7 * stress(0) - 0.3 * stress(1));
+  const double yy = 1.3 / 1000 * (0.7 * stress(1) - 0.3 * stress(0));
+  const Eigen::Matrix2d strain{{xx, shear * stress(2)}, {0, yy}};
+  const Eigen::Rotation2Dd turn(angle);
+  const Eigen::Matrix2d there = turn.toRotationMatrix() * strain * turn.inverse().toRotationMatrix();
+  for (const std::string& element : all_elements) {
+    CAPTURE(element, angle, fine_source);
+    Scene scene = stack(element);
+    if (fine_source) scene.bonds = bonds_of({tie_of({"top", "lower"}, Side{"bottom", "upper"})});
+    for (Body& body : scene.bodies) {
+      body.mesh = turned_by(angle, body.mesh);
+      for (const char* side : {"left", "right", body.mesh.name == "lower" ? "bottom" : "top"})
+        body.supports.push_back({side, true, true, [there](const Vector2d& x) { return Vector2d(there * x); }});
+    }
+    const SolvedScene run = solved(scene, "the stack");
+    const Eigen::Matrix2d tensor =
+        turn.toRotationMatrix() * Eigen::Matrix2d{{stress(0), stress(2)}, {stress(2), stress(1)}} * turn.inverse().toRotationMatrix();
+    for (std::size_t b = 0; b < 2; ++b) {
+      const BodyModel& body = run.model.bodies[b];
+      const NodeArray& u = run.solution.displacements[b];
+      const NodeArray exact = body.mesh.nodes * there.transpose();
+      CHECK((u - exact).cwiseAbs().maxCoeff() <= 1e-12 * exact.cwiseAbs().maxCoeff());
+    }
+    const BondForces sum = bond_forces(run.model, run.solution)[0];
+    CHECK(sum.least_pressure == Approx(3).epsilon(1e-10));
+    CHECK(sum.largest_pressure == Approx(3).epsilon(1e-10));
+    CHECK(sum.largest_shear == Approx(0.5).epsilon(1e-10));
+    const Vector2d out = turn * Vector2d(0, fine_source ? 1 : -1);
+    CHECK((sum.force - Vector2d(6 * tensor * out)).norm() <= 1e-10 * 18);
   }
 }
 

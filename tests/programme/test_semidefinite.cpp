@@ -309,6 +309,28 @@ TEST_CASE("equations whose right sides are 0 do not contradict each other", "[de
   CHECK(solve(programme, find_solver("quasi_active_set")).report.status == SolveStatus::Infeasible);
 }
 
+// Neither K nor a load: whatever the rows allow is a solution, and nothing but a place is asked for.
+TEST_CASE("rows alone are a programme whose solutions are all that they allow", "[dense_programme]") {
+  std::mt19937 random(7);
+  std::uniform_int_distribution<int> small(-2, 2);
+  for (int run = 0; run < 200; ++run) {
+    CAPTURE(run);
+    const Index n = 1 + run % 5, m = 1 + run % 7;
+    DenseProgramme programme;
+    programme.stiffness.setZero(n, n);
+    programme.load.setZero(n);
+    programme.A = MatrixXd::NullaryExpr(m, n, [&] { return double(small(random)); });
+    const VectorXd place = VectorXd::NullaryExpr(n, [&] { return double(small(random)); });
+    programme.initial_gap = programme.A * place;
+    programme.equations = std::min<Index>(run % 3, m);
+    programme.initial_gap.tail(m - programme.equations).array() += run % 2;
+    const DenseSolution solution = solve(programme, find_solver("quasi_active_set"));
+    CHECK(solution.report.status == SolveStatus::Solved);
+    CHECK(solution.certificate.holds());
+    CHECK(solution.refined.force.isZero(0));
+  }
+}
+
 // Linear programmes; the method says that it has solved what it was started with, but has no numbers.
 TEST_CASE("a proximal point that the last rows do not lead to is looked for from none",
           "[dense_programme]") {

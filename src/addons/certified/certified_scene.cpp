@@ -116,6 +116,8 @@ Solution certified_solve(const Model& model, const Condensed& condensed, const S
   CertifiedSolution end = few ? std::move(*few) : in_these_units(condensed.problem, solve_all);
   std::vector<std::string> notes = notes_of(model, end, matrices);
   if (end.state.report.status == SolveStatus::Ray) end.state.reason = ray_in_words(model);
+  if (end.state.report.status == SolveStatus::Infeasible && end.state.reason.empty())
+    end.state.reason = contradiction_in_words(model, end.state.farkas_certificate);
   Solution solution =
       recovered(model, condensed, std::move(end), std::move(notes), std::move(ledger));
   const VectorXd& away = solution.contact.unbounded_direction;

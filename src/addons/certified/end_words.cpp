@@ -1,6 +1,7 @@
 #include "addons/certified/end_words.hpp"
 
 #include <algorithm>
+#include <vector>
 
 #include "signorini/core/errors.hpp"
 #include "signorini/core/index.hpp"
@@ -55,6 +56,22 @@ std::string ray_in_words(const Model& model) {
               mu, ", of ", pair_in_words(model, law.pair[at(most)]),
               ", the largest cohesion of a pair ", law.cohesion.maxCoeff(), "; take less, or ",
               hold);
+}
+
+std::string contradiction_in_words(const Model& model, const Eigen::VectorXd& proof) {
+  std::vector<Index> order;
+  for (Index pair = 0; pair < proof.size(); ++pair)
+    if (proof(pair) > 0) order.push_back(pair);
+  if (order.empty()) return "";
+  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return proof(a) > proof(b); });
+  constexpr std::size_t few = 3;
+  std::string pairs;
+  for (std::size_t k = 0; k < std::min(few, order.size()); ++k)
+    pairs += text(k == 0 ? "" : "; ", pair_in_words(model, order[k]), ", of '",
+                  model.contacts[model.contact_of[at(order[k])]], '\'');
+  return text(order.size() == 1 ? "nothing that moves opens the overlap of " : "nothing that moves opens the overlaps of all of ",
+              pairs, order.size() > few ? text("; and ", order.size() - few, " more") : "",
+              ". Move one of the sides away, or let supports and bounds leave them room");
 }
 
 std::string force_uncertainty_in_words(const Model& model, const ForceUncertainty& figure) {

@@ -27,6 +27,12 @@ namespace signorini {
 /// \return a sentence, with the pair of the largest friction coefficient
 [[nodiscard]] std::string ray_in_words(const Model& model);
 
+/// Which gaps cannot all stay open or closed, where a proof says so.
+/// \param model  that was not solved
+/// \param proof  forces `n_c` that move nothing and work on the gaps of the meshes, see ContactState::farkas_certificate
+/// \return a sentence with the pairs that count most in it, and the way out; empty without a proof
+[[nodiscard]] std::string contradiction_in_words(const Model& model, const Eigen::VectorXd& proof);
+
 /// The note on forces that rounding of the gaps may have moved.
 /// \param model  that was solved
 /// \param figure  of its forces, see force_uncertainty()

@@ -148,8 +148,8 @@ void add_pairs(const Model& model, const Bond& bond, const VectorXd& row_force, 
   NodeArray forces = NodeArray::Zero(pairs, 2);
   for (std::size_t k = bond.first; k < bond.end; ++k) {
     const Equation& row = model.equations->rows[k];
-    forces.row(row.pair) +=
-        row_force(static_cast<Index>(k)) * Eigen::RowVector2d(row.opening, row.sliding);
+    for (const RowPart& part : row.parts)
+      forces.row(part.pair) += row_force(static_cast<Index>(k)) * Eigen::RowVector2d(part.opening, part.sliding);
   }
   const bool axial = is_axial(model.bodies.front());
   const Pairs there = pairs_there(model, bond);

@@ -132,7 +132,8 @@ void solve_rows(const Scene& scene, Plan& draft, Equations& all) {
     require_input(wrong.empty(), wrong.size(),
                   wrong.size() == 1 ? " equation contradicts" : " equations contradict", " others or supports",
                   when, ", the first: ",
-                  wrong.empty() ? "" : equation_in_words(all, wrong.front(), draft),
+                  wrong.empty() ? "" : equation_in_words(all, wrong.front(), draft), ", by ", all.solved.apart,
+                  all.solved.other < 0 ? "" : ", beside " + equation_in_words(all, all.solved.other, draft),
                   ". Leave out one of those that hold the same displacement");
   });
   note_repeated(all, free, draft);

@@ -161,6 +161,12 @@ Eliminated eliminate(const NodalRows& rows, const VectorXd& right, const VectorX
       allowed += std::abs(factor) * (rounding(from) + nothing * std::abs(right(from))) +
                  noise * std::abs(right(from));
     }
+    if (std::abs(left) > allowed && all.contradicting.empty()) {
+      all.apart = std::abs(left);
+      row.right.erase(k);
+      for (const auto& [from, factor] : row.right)
+        if (std::abs(factor) == largest_of(row.right)) all.other = from;
+    }
     (std::abs(left) <= allowed ? all.repeated : all.contradicting).push_back(k);
   }
   for (const Row& row : solved.rows) all.unknown.push_back(row.unknown);

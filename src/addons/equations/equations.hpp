@@ -21,6 +21,13 @@ struct RigidSide;
 struct Scene;
 struct Tie;
 
+/// The row of a pair in one that is a combination of such rows.
+struct RowPart {
+  Eigen::Index pair;  ///< of the bond
+  double opening;     ///< how much of the row of its gap
+  double sliding;     ///< and of that of its slip
+};
+
 /// A row that holds with =: the sum of coefficients times displacement components is `right`. With `stiffness` it does not hold
 /// exactly: a spring pulls with stiffness times what is missing.
 struct Equation {
@@ -30,10 +37,8 @@ struct Equation {
   std::string history = {};  ///< that `right` follows; empty: it is always there
   double rounding = 0;     ///< of `right` [length]
   Eigen::Index own = -1;   ///< component to solve it for; -1: any
-  Eigen::Index pair = -1;  ///< of its bond, of whose rows it is a combination; -1: none
+  std::vector<RowPart> parts = {};  ///< of the pairs of its bond; none if that has no pairs
   std::optional<double> stiffness = {};  ///< of a spring in its place [force/length]
-  double opening = 0;      ///< how much of the row of the gap is in it
-  double sliding = 0;      ///< and of that of the slip
 };
 
 /// \param rows  `m` \param components  of all nodes \return C `m x components` of their terms

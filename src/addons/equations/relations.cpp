@@ -155,6 +155,48 @@ void add_rigid_rows(const std::vector<Index>& nodes, const RigidMotion& motion, 
   rows.push_back(equation_of(terms, 0));
 }
 
+/// The rows of the motions that are given.
+void add_given(const RigidSide& rigid, const RigidMotion& motion, std::vector<Equation>& rows) {
+  const auto give = [&](const std::optional<double>& given, const std::string& history, const Vector2d& along,
+                        double turn) {
+    if (!given) return;
+    std::map<Index, double> terms;
+    if (turn == 0) motion.add_shift(rigid.centre, along, 1, terms);
+    motion.add_turn(turn, terms);
+    rows.push_back(equation_of(terms, *given * (turn == 0 ? 1 : turn)));
+    rows.back().history = history;
+  };
+  give(rigid.x, rigid.histories.x, {1, 0}, 0);
+  give(rigid.y, rigid.histories.y, {0, 1}, 0);
+  give(rigid.turn, rigid.histories.turn, {0, 0}, motion.line().norm());  // so that its equation is of lengths, too
+}
+
+/// What drives the side.
+std::vector<BondLoad> loads_of(const RigidSide& rigid, const RigidMotion& motion) {
+  std::vector<BondLoad> loads;
+  const auto drive = [&](const Vector2d& force, double moment, const std::string& history) {
+    std::map<Index, double> push;
+    motion.add_shift(rigid.centre, force, 1, push);
+    motion.add_turn(moment, push);
+    for (const auto& [component, value] : push) loads.push_back({component, value, history});
+  };
+  drive(rigid.force, 0, rigid.histories.force);
+  drive({0, 0}, rigid.moment, rigid.histories.moment);
+  return loads;
+}
+
+/// Forces along motions that are given appear in no sum: the two ends of one force are both on the side.
+void note_idle(const RigidSide& rigid, const std::string& what, std::vector<std::string>& notes) {
+  const auto note = [&](bool given, const char* way, double load, const char* word) {
+    if (given && load != 0)
+      notes.push_back(text(what, ": ", way, " is given, so that ", word,
+                           " on it moves nothing: what gives the one bears the other"));
+  };
+  note(rigid.x.has_value(), "x", rigid.force.x(), "a force along x");
+  note(rigid.y.has_value(), "y", rigid.force.y(), "a force along y");
+  note(rigid.turn.has_value(), "turn", rigid.moment, "a moment");
+}
+
 void check_rigid(const RigidSide& rigid, const std::string& what, const Plan& draft) {
   require_input(!is_axial(draft.bodies.front()), what,
                 ": in axial symmetry a rigid side moves along the axis alone; prescribe that");
@@ -207,37 +249,10 @@ void add_rigid(const RigidSide& rigid, Plan& draft, Equations& all) {
   const RigidMotion motion(bond.nodes, draft);
   bond.first = all.rows.size();
   add_rigid_rows(bond.nodes, motion, draft, all.rows);
-  const RigidHistories& histories = rigid.histories;
-  const auto give = [&](const std::optional<double>& given, const std::string& history, const Vector2d& along,
-                        double turn) {
-    if (!given) return;
-    std::map<Index, double> terms;
-    if (turn == 0) motion.add_shift(rigid.centre, along, 1, terms);
-    motion.add_turn(turn, terms);
-    all.rows.push_back(equation_of(terms, *given * (turn == 0 ? 1 : turn)));
-    all.rows.back().history = history;
-  };
-  give(rigid.x, histories.x, {1, 0}, 0);
-  give(rigid.y, histories.y, {0, 1}, 0);
-  give(rigid.turn, histories.turn, {0, 0}, motion.line().norm());  // so that its equation is of lengths, too
+  add_given(rigid, motion, all.rows);
   bond.end = all.rows.size();
-  const auto drive = [&](const Vector2d& force, double moment, const std::string& history) {
-    if (force.isZero(0) && moment == 0) return;
-    std::map<Index, double> push;
-    motion.add_shift(rigid.centre, force, 1, push);
-    motion.add_turn(moment, push);
-    for (const auto& [component, value] : push) bond.loads.push_back({component, value, history});
-  };
-  const auto note = [&](bool given, const char* way, double load, const char* what) {
-    if (given && load != 0)
-      draft.notes.push_back(text(bond.what, ": ", way, " is given, so that ", what,
-                                 " on it moves nothing: what gives the one bears the other"));
-  };
-  note(rigid.x.has_value(), "x", rigid.force.x(), "a force along x");
-  note(rigid.y.has_value(), "y", rigid.force.y(), "a force along y");
-  note(rigid.turn.has_value(), "turn", rigid.moment, "a moment");
-  drive(rigid.force, 0, histories.force);
-  drive({0, 0}, rigid.moment, histories.moment);
+  bond.loads = loads_of(rigid, motion);
+  note_idle(rigid, bond.what, draft.notes);
   draft.on.push_back(text(bond.what, ": ", bond.end - bond.first, " equations"));
   all.bonds.push_back(std::move(bond));
 }

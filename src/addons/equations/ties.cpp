@@ -1,6 +1,8 @@
 // Two sides that hold together: the rows of their gaps and slips, as equations.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
 #include <utility>
 
 #include "addons/equations/bonds.hpp"
@@ -36,9 +38,7 @@ Equation combined_rows(const Pairs& pairs, const NodalRows& slips, Index pair, d
       equation.terms.emplace_back(entry.index(), entry.value());
   equation.right = -opening * pairs.initial_gap(pair);
   equation.rounding = (std::abs(opening) + std::abs(sliding)) * gap_rounding(pairs);
-  equation.pair = pair;
-  equation.opening = opening;
-  equation.sliding = sliding;
+  equation.parts = {{pair, opening, sliding}};
   return equation;
 }
 
@@ -73,6 +73,49 @@ std::vector<Equation> rows_of(const Pairs& pairs, const NodalRows& slips, Index 
   rows.push_back(combined_rows(pairs, slips, pair, n.y() / size, -n.x() / size));
   for (int axis = 0; axis < 2; ++axis) rows[at(axis)].own = 2 * node + axis;
   return rows;
+}
+
+/// Adds a row, times a factor.
+void add_row(const Equation& row, double factor, Equation& sum) {
+  std::map<Index, double> terms(sum.terms.begin(), sum.terms.end());
+  for (const auto& [component, value] : row.terms) terms[component] += factor * value;
+  sum.terms.assign(terms.begin(), terms.end());
+  sum.right += factor * row.right;
+  sum.rounding += factor * row.rounding;
+  for (const RowPart& part : row.parts)
+    sum.parts.push_back({part.pair, factor * part.opening, factor * part.sliding});
+}
+
+/// The nodes of a side of cells next to one of its ends.
+std::vector<Index> next_along(const Surface& source, Index end) {
+  std::vector<Index> next;
+  for (const CellSide& side : boundary(source.mesh, source.boundary)) {
+    const std::vector<Index> nodes = source.mesh.side_nodes(side);
+    if (source.first_node + nodes.front() == end) next.push_back(source.first_node + nodes[1]);
+    if (source.first_node + nodes.back() == end) next.push_back(source.first_node + nodes[nodes.size() - 2]);
+  }
+  return next;
+}
+
+/// What a row would bear that is left out, or of which supports hold all, the rows of the nodes next to it bear: else a uniform
+/// traction would lack the part of it that the node has, and a side whose ends are held would fail the patch test. Of mortar rows
+/// the sum is that of their integrals.
+void hand_on(const Surface& source, const Plan& draft, const Bond& bond, std::vector<Equation>& rows) {
+  const auto weight = [&](const Equation& row) { return bond.pairs.weight(row.parts.front().pair); };
+  std::vector<Equation> idle = bond.left_out;
+  std::copy_if(rows.begin() + static_cast<std::ptrdiff_t>(bond.first), rows.end(), std::back_inserter(idle),
+               [&](const Equation& row) {
+                 return std::all_of(row.terms.begin(), row.terms.end(),
+                                    [&](const auto& term) { return held(draft, term.first); });
+               });
+  for (const Equation& left : idle) {
+    std::vector<Equation*> heirs;
+    for (const Index node : next_along(source, left.own / 2))
+      for (std::size_t k = bond.first; k < rows.size(); ++k)
+        if (rows[k].own == 2 * node + left.own % 2) heirs.push_back(&rows[k]);
+    for (Equation* const heir : heirs)
+      add_row(left, weight(left) / (weight(*heir) * static_cast<double>(heirs.size())), *heir);
+  }
 }
 
 /// What is done about gaps of the meshes, in words for the plan; nothing if there are none.
@@ -149,6 +192,8 @@ void add_tie(const Tie& tie, Plan& draft, Equations& all) {
     for (Equation& row : rows_of(bond.pairs, slips, pair, node, draft, tie.slides))
       (between_supports(draft, row) ? bond.left_out : all.rows).push_back(std::move(row));
   }
+  if (!tie.slides && find_gap_operator(tie.sides.gap_operator).passes_patch_test)
+    hand_on(surface(draft.bodies, tie.sides.source), draft, bond, all.rows);
   bond.end = all.rows.size();
   const bool rigid = std::holds_alternative<Obstacle>(tie.sides.target);
   draft.on.push_back(text(bond.what, ": ", bond.end - bond.first,

@@ -55,8 +55,9 @@ struct OtherKind {
 const OtherKind other_kinds[] = {
     {[](const Head& head) { return is_utf16(head.bytes); }, "a text in UTF-16",
      "save it as UTF-8, as iconv -f UTF-16 -t UTF-8 FILE > NEW does"},
-    {[](const Head& head) { return head.begins("\x89hdf"); }, "an HDF5 file, as MED and CGNS are",
-     "of MED, tools/med2inp.py makes an input file with its groups, for kind = \"inp\""},
+    {[](const Head& head) { return head.begins("\x89hdf"); }, "an HDF5 file, as MED, CGNS and Exodus of today are",
+     "of MED, tools/med2inp.py makes an input file with its groups, and of Exodus, meshio convert FILE NEW.inp one with "
+     "its node sets, for kind = \"inp\""},
     {[](const Head& head) { return head.begins("cdf\x01") || head.begins("cdf\x02"); },
      "a netCDF file, as Exodus is",
      "meshio convert FILE NEW.inp makes an input file with its node sets, for kind = \"inp\""},

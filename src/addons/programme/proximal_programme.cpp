@@ -198,6 +198,17 @@ class Proximal {
            keep(own.initial_gap, {VectorXd::Zero(own.load.size()), {}, std::move(force)});
   }
 
+  /// Keeps a place without any force where there is neither K nor load: each that all rows allow is a solution. \return whether it is one
+  bool keep_any_place(PrimalDual place) {
+    const DenseProgramme& own = own_.programme;
+    if (!own.stiffness.isZero(0) || !own.load.isZero(0)) return false;
+    place.force.setZero();
+    VectorXd gap = own.initial_gap - own.A * place.displacement;
+    if (!keep(gap, std::move(place))) return false;
+    best_.report.status = SolveStatus::Solved;
+    return true;
+  }
+
   /// A breakdown is a claim like others: what its rows make of the face is looked at.
   static bool is_usable(const DenseSolution& near) {
     const SolveStatus status = near.report.status;
@@ -223,6 +234,7 @@ class Proximal {
       return true;
     }
     closed_ = near.active;
+    if (keep_any_place(near.refined)) return true;
     ActiveSetFactor face = data_.basis_at(*closed_, {u, {}, near.refined.force});
     const ProgrammeRows::Refined refined = data_.refine(face);
     if (keep(refined.gap, refined.solution) ||
@@ -299,9 +311,9 @@ class Proximal {
     own_.lengths(along).cwiseAbs().maxCoeff(&most);
     throw NotDefinite(text(
         "quadratic programme: the energy has no least value: it falls for ever along a direction "
-        "that K does not feel and no row ends, in which unknown ",
+        "that the quadratic part does not feel and no row ends, in which unknown ",
         most + 1, along(most) > 0 ? " grows" : " falls",
-        " most; bound it, or correct the sign of its load"));
+        " most; bound it, or correct the sign of its linear part"));
   }
 
   const DenseProgramme& posed_;

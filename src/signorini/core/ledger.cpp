@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <iomanip>
-#include <iterator>
 #include <ostream>
 #include <sstream>
 
@@ -75,30 +74,15 @@ long long Ledger::counted(const std::string& path, const std::string& name) cons
   return known == entry->counts.end() ? 0 : known->second;
 }
 
-namespace {
-
-// A phase may be entered again when others have ended. So the lines of an outermost phase, which all
-// begin with its name, are collected.
-std::vector<LedgerEntry> nested(const Ledger& ledger) {
-  const auto outermost = [](const LedgerEntry& entry) { return entry.path.substr(0, entry.path.find('/')); };
-  std::vector<LedgerEntry> lines;
-  for (const LedgerEntry& outer : ledger.entries())
-    if (outer.path == outermost(outer))
-      std::copy_if(ledger.entries().begin(), ledger.entries().end(), std::back_inserter(lines),
-                   [&](const LedgerEntry& entry) { return outermost(entry) == outer.path; });
-  return lines;
-}
-
-}  // namespace
-
-// Each line is indented by its depth, the number of `/` in its path. The table is written into a
-// string first, so that the number formats of `out` stay as they are.
+// Each line is indented by its depth, the number of `/` in its path. A phase may be entered again when
+// others have ended, so the lines in it are looked for: all begin with its name. The table is written
+// into a string first, so that the number formats of `out` stay as they are.
 std::ostream& operator<<(std::ostream& out, const Ledger& ledger) {
   std::ostringstream table;
   table << std::left << std::setw(34) << "phase" << std::right << std::setw(10) << "seconds"
         << std::setw(7) << "calls" << std::setw(10) << "MB"
         << "  counts\n";
-  for (const LedgerEntry& entry : nested(ledger)) {
+  const auto print = [&table](const LedgerEntry& entry) {
     const auto depth = std::count(entry.path.begin(), entry.path.end(), '/');
     const std::string name = entry.path.substr(entry.path.rfind('/') + 1);
     table << std::left << std::setw(34)
@@ -108,7 +92,10 @@ std::ostream& operator<<(std::ostream& out, const Ledger& ledger) {
           << static_cast<double>(entry.bytes) / 1e6;
     for (const auto& [what, amount] : entry.counts) table << "  " << what << ' ' << amount;
     table << '\n';
-  }
+  };
+  for (const LedgerEntry& outer : ledger.entries())
+    for (const LedgerEntry& entry : ledger.entries())
+      if (outer.path == entry.path.substr(0, entry.path.find('/'))) print(entry);
   return out << table.str();
 }
 

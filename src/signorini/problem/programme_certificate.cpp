@@ -77,8 +77,8 @@ double force_size(const QuadraticProgramme& programme, const VectorXd& diagonal,
 
 // How far the displacements go towards the obstacle, as the sum of the magnitudes of all terms,
 // since each term is rounded; or the way of loads, if that is longer.
-double length_of(const QuadraticProgramme& programme, const VectorXd& diagonal,
-                 const VectorXd& contact, const VectorXd& u, const VectorXd& unit) {
+double length_of(const QuadraticProgramme& programme, const VectorXd& diagonal, const VectorXd& contact,
+                 const VectorXd& u, const VectorXd& unit) {
   double length = 0;
   double nearest = std::numeric_limits<double>::infinity();
   for (Index row = 0; row < programme.A.rows(); ++row) {
@@ -97,9 +97,8 @@ double length_of(const QuadraticProgramme& programme, const VectorXd& diagonal,
 // metres.
 //
 // Friction forces do work on given slips, and in the duality gap they count as loads.
-Certificate certificate_of(const QuadraticProgramme& programme, const PrimalDual& solution,
-                           const VectorXd& diagonal, const VectorXd& imbalance,
-                           const VectorXd& movement, const FrictionLaw& law,
+Certificate certificate_of(const QuadraticProgramme& programme, const PrimalDual& solution, const VectorXd& diagonal,
+                           const VectorXd& imbalance, const VectorXd& movement, const FrictionLaw& law,
                            const EquationRows& equations) {
   const Index slips = static_cast<Index>(law.pair.size());
   VectorXd norm(programme.A.rows());
@@ -156,19 +155,17 @@ VectorXd entries(const VectorXd& v, const std::vector<Index>& places) {
 // \f$ \varepsilon\sqrt{K_{ii}K_{jj}} \f$ connects nothing: it adds no more to any energy than
 // rounding does. Whether anything is unconnected, and the diagonal, may be known from the load before:
 // of a hundred loads on one scene the first asks, and for the others it is as true.
-Certificate certificate_of(const QuadraticProgramme& programme, const PrimalDual& solution,
-                           const FrictionLaw& law, const EquationRows& equations,
-                           const KnownMatrices* known) {
+Certificate certificate_of(const QuadraticProgramme& programme, const PrimalDual& solution, const FrictionLaw& law,
+                           const EquationRows& equations, const KnownMatrices* known) {
   const VectorXd imbalance = equilibrium_residual(programme, solution);
   const VectorXd movement = gaps(programme, solution);
   std::vector<SystemParts> systems;
   if (known == nullptr || !known->connected)
     systems = unconnected_systems(programme, law, {}, epsilon);
   if (systems.empty())
-    return certificate_of(
-        programme, solution,
-        known != nullptr ? known->diagonal : VectorXd(programme.stiffness.diagonal()), imbalance,
-        movement, law, equations);
+    return certificate_of(programme, solution,
+                          known != nullptr ? known->diagonal : VectorXd(programme.stiffness.diagonal()), imbalance,
+                          movement, law, equations);
   const VectorXd load = loads_of_systems(programme, solution, systems);
   const Index pairs = programme.A.rows() - static_cast<Index>(law.pair.size());
   Certificate worst;
@@ -199,8 +196,7 @@ Certificate certificate_of(const QuadraticProgramme& programme, const PrimalDual
 // way that nothing goes.
 double way_of_loads(const VectorXd& load, const VectorXd& contact, const VectorXd& diagonal, const VectorXd& u,
                     double nearest) {
-  const double most = std::max(largest(load), largest(contact));
-  const double sum = largest(load - contact);
+  const double most = std::max(largest(load), largest(contact)), sum = largest(load - contact);
   const bool rounding = sum <= static_cast<double>(contact.size()) * epsilon * most;
   const double way = ratio(rounding ? most : sum, largest(diagonal));
   const double far = largest(u);

@@ -31,8 +31,8 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 // So a pile of stones would take time that grows with the square of their number.
 Index place_among(const std::vector<Index>& rising, Index number) {
   const auto found = std::lower_bound(rising.begin(), rising.end(), number);
-  return found == rising.end() || *found != number ? -1
-                                                   : static_cast<Index>(found - rising.begin());
+  const bool there = found != rising.end() && *found == number;
+  return there ? static_cast<Index>(found - rising.begin()) : -1;
 }
 
 // All unknowns of a row are in one system, so that one of them stands for the row. An entry that is
@@ -109,8 +109,7 @@ DisjointSets joined(const QuadraticProgramme& programme, const FrictionLaw& law,
 // set. So a system begins when its name is met, and every list is sorted by itself. Rows follow
 // their first unknown. A row without entries follows the other row of its pair, and if that is
 // empty too, it belongs to the first system, where the certificate looks at it.
-std::vector<SystemParts> unconnected_systems(const QuadraticProgramme& programme,
-                                             const FrictionLaw& law,
+std::vector<SystemParts> unconnected_systems(const QuadraticProgramme& programme, const FrictionLaw& law,
                                              const SparseMatrix& null_vectors, double weak) {
   DisjointSets sets = joined(programme, law, null_vectors, weak);
   if (sets.count() < 2) return {};

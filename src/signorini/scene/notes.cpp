@@ -7,6 +7,8 @@
 
 #include "signorini/scene/notes.hpp"
 
+#include "signorini/core/errors.hpp"
+
 namespace signorini {
 namespace {
 
@@ -15,13 +17,15 @@ const std::string note_mark = ". Note: ";  // between a message and its notes
 }  // namespace
 
 // Errors pass several places that add notes. A note that stands in the message already is
-// not added again. The mark comes before the first note only.
+// not added again. The mark comes before the first note only. Of many notes the first three are told: a
+// pile of discs has one for each pair, and the message would be lost among them.
 std::string with_notes(const std::string& message, const std::vector<std::string>& notes) {
   std::string all = message;
+  int left = 3;
   for (const std::string& note : notes)
-    if (message.find(note) == std::string::npos)
+    if (message.find(note) == std::string::npos && left-- > 0)
       all += (all.find(note_mark) == std::string::npos ? note_mark : "; ") + note;
-  return all;
+  return left >= 0 ? all : text(all, "; and ", -left, " more");
 }
 
 // Two errors may have the same cause and different notes. The reader of scene files compares

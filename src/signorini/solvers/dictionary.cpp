@@ -21,7 +21,6 @@
 #include "signorini/solvers/dictionary.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 
