@@ -140,6 +140,24 @@ TEST_CASE("of many full columns those that depend on others are found, and no mo
   }
 }
 
+// A chain: each column has two rows, and shares one of them with the next. Three that close a ring depend on each other.
+TEST_CASE("of columns with few entries those that close a ring are found", "[active_set]") {
+  const Index n = 400;
+  for (const bool ring : {false, true}) {
+    std::vector<SparseEntries> entries;
+    for (Index j = 0; j + 1 < n; ++j) entries.push_back({{j, 1}, {j + 1, -1}});
+    if (ring) entries.push_back({{100, 1}, {103, -1}});
+    const std::vector<SparseEntries> all = null_combinations(entries, n, 1e-12);
+    REQUIRE(all.size() == (ring ? 1 : 0));
+    if (!ring) continue;
+    CHECK(all[0].size() == 4);
+    for (const auto& [column, factor] : all[0]) {
+      CHECK((column == n - 1 || (column >= 100 && column <= 102)));
+      CHECK(std::abs(factor) == Approx(1).epsilon(1e-9));
+    }
+  }
+}
+
 TEST_CASE("of parts that have no row in common one that depends is found among many that do not",
           "[active_set]") {
   Random random(6);

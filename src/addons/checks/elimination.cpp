@@ -1,5 +1,6 @@
 #include "addons/checks/elimination.hpp"
 
+#include <Eigen/SparseCholesky>
 #include <Eigen/SparseQR>
 #include <algorithm>
 #include <cmath>
@@ -21,19 +22,35 @@ struct Part {
   Index rows = 0, entries = 0;
 };
 
+/// What rounding can make of E^T E, of n columns of length 1, and of its Cholesky factor.
+double rounding_of(Index columns, Index rows) {
+  return static_cast<double>(columns) * static_cast<double>(columns + rows) * epsilon;
+}
+
 /// Whether columns are independent beyond doubt: if E^T E, of columns of length 1, is positive definite less what rounding can be.
 bool surely_independent(MatrixXd E) {
-  const Index n = E.cols();
   for (auto column : E.colwise()) column.normalize();
   MatrixXd products = E.transpose() * E;
-  products.diagonal().array() -=
-      static_cast<double>(n) * static_cast<double>(n + E.rows()) * epsilon;
+  products.diagonal().array() -= rounding_of(E.cols(), E.rows());
   return CholeskyFactor(products).positive();
 }
 
+/// The same of columns with few entries.
+bool surely_independent(SparseMatrix E) {
+  for (Index j = 0; j < E.cols(); ++j) {
+    const double length = E.col(j).norm();
+    if (length == 0) return false;
+    E.col(j) /= length;
+  }
+  SparseMatrix products = E.transpose() * E;
+  for (Index j = 0; j < E.cols(); ++j) products.coeffRef(j, j) -= rounding_of(E.cols(), E.rows());
+  const Eigen::SimplicialLLT<SparseMatrix> factor(products);
+  return factor.info() == Eigen::Success;
+}
+
 /// The same part by part, as columns that have no row in common cannot depend on each other: nodes that meet rigid obstacles are
-/// parts of at most two rows. Only where a part is mostly filled: elimination of such columns takes longer than to solve their
-/// problem, and elsewhere it is cheap.
+/// parts of at most two rows. Those that are mostly filled are looked at one by one, and what is left by its entries: elimination with
+/// pivots takes far longer than either.
 bool surely_independent_by_parts(const SparseMatrix& E) {
   DisjointSets sets(E.cols());
   std::vector<Index> first(at(E.rows()), -1), place(at(E.rows()));  // column, number in its part
@@ -51,16 +68,24 @@ bool surely_independent_by_parts(const SparseMatrix& E) {
   }
   for (Index i = 0; i < E.rows(); ++i)
     if (first[at(i)] >= 0) place[at(i)] = parts[at(sets.name(first[at(i)]))].rows++;
-  return std::all_of(parts.begin(), parts.end(), [&](const Part& part) {
+  std::vector<Index> sparse;  // columns of parts that are not mostly filled
+  const bool others = std::all_of(parts.begin(), parts.end(), [&](const Part& part) {
     const Index n = static_cast<Index>(part.columns.size());
-    if (n == 0) return true;
-    if (n > part.rows || 2 * part.entries < n * part.rows) return false;
+    if (n > part.rows) return false;
+    if (2 * part.entries < n * part.rows) {
+      sparse.insert(sparse.end(), part.columns.begin(), part.columns.end());
+      return true;
+    }
     MatrixXd full = MatrixXd::Zero(part.rows, n);
     for (Index k = 0; k < n; ++k)
       for (SparseMatrix::InnerIterator it(E, part.columns[at(k)]); it; ++it)
         full(place[at(it.row())], k) = it.value();
-    return surely_independent(std::move(full));
+    return n == 0 || surely_independent(std::move(full));
   });
+  if (!others || sparse.empty()) return others;
+  SparseMatrix left(E.rows(), static_cast<Index>(sparse.size()));
+  for (std::size_t k = 0; k < sparse.size(); ++k) left.col(static_cast<Index>(k)) = E.col(sparse[k]);
+  return surely_independent(std::move(left));
 }
 
 /// The combination of a column with those that it depends on, by their factors.
