@@ -56,7 +56,7 @@ class SetSearch {
 
 bool SetSearch::exchange(Index most, SparseContactSolution& found) {
   std::set<std::vector<ContactStatus>> seen;
-  // Fewest changes so far. Of rigid bodies a set with more than twice as many leads away from where it began.
+  // Fewest changes so far. A set with more than twice as many leads away from where it began: Newton's method goes in circles then.
   Index least = system_.alone() ? system_.units().pairs() / 16 : system_.units().pairs();
   for (Index step = 0; step < most && seen.insert(found.statuses).second; ++step) {
     const ActiveSet set = active_set(found.statuses, system_.units().law);
@@ -65,7 +65,7 @@ bool SetSearch::exchange(Index most, SparseContactSolution& found) {
     system_.settle(set);
     const Index changes = predict(system_.units(), system_.now(), 1, found.statuses);
     if (changes == 0) return system_.settled();
-    if (system_.alone() && changes > 2 * least + 8) return false;
+    if (changes > 2 * least + 8) return false;
     least = std::min(least, changes);
   }
   return false;
