@@ -106,7 +106,7 @@ Solution certified_solve(const Model& model, const Condensed& condensed, const S
   }
   KnownMatrices found;
   const bool known = few || condensed.known.diagonal.size() > 0;
-  if (!known) found = known_matrices(model.programme, model.law);
+  if (!known) found.connected = known_matrices(model.programme, model.law).connected;
   const KnownMatrices& matrices = known ? condensed.known : found;
   const auto solve_all = [&] {
     CondensedProgramme programme = condensed_programme(condensed, ledger);

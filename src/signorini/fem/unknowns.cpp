@@ -19,7 +19,6 @@
 #include "signorini/core/errors.hpp"
 #include "signorini/core/index.hpp"
 #include "signorini/core/rounding.hpp"
-#include "signorini/core/wording.hpp"
 #include "signorini/fem/places.hpp"
 
 namespace signorini {
@@ -67,7 +66,7 @@ void hold(const Mesh& mesh, const Support& support, const std::vector<Index>& on
       // The message tells who else holds the node, so that the user knows what to take out.
       const bool by_axis = axis == 0 && std::binary_search(on_axis.begin(), on_axis.end(), node);
       require_support(unknowns.number(node, axis) == 0 || unknowns.held(node, axis) == value(axis),
-                      "the node at ", in_brackets(mesh.nodes.row(node)), " gets the displacement ", value(axis), " in direction ",
+                      "the node at (", mesh.nodes(node, 0), ", ", mesh.nodes(node, 1), ") gets the displacement ", value(axis), " in direction ",
                       axis == 0 ? 'x' : 'y',
                       by_axis ? ", but it lies on the axis of the body, which gives it "
                               : ", but another support gives it ",

@@ -35,7 +35,7 @@ struct ScaledProblem;
 
 /// What the matrices of a programme say, whatever its load and gaps are: where many loads follow, it is found once.
 struct KnownMatrices {
-  Eigen::VectorXd diagonal;  ///< `n` of K [force/length]; empty: nothing is known
+  Eigen::VectorXd diagonal;  ///< `n` of K [force/length]; empty: it is not kept
   bool connected = false;  ///< all hangs together, even if entries of K that are rounding connect nothing
   /// The condensed problem, equilibrated for the load before; empty before the first one, null where it is not kept
   std::shared_ptr<ScaledProblem> scaled = {};

@@ -162,10 +162,10 @@ Certificate certificate_of(const QuadraticProgramme& programme, const PrimalDual
   std::vector<SystemParts> systems;
   if (known == nullptr || !known->connected)
     systems = unconnected_systems(programme, law, {}, epsilon);
+  const bool kept = known != nullptr && known->diagonal.size() > 0;
   if (systems.empty())
-    return certificate_of(programme, solution,
-                          known != nullptr ? known->diagonal : VectorXd(programme.stiffness.diagonal()), imbalance,
-                          movement, law, equations);
+    return certificate_of(programme, solution, kept ? known->diagonal : VectorXd(programme.stiffness.diagonal()),
+                          imbalance, movement, law, equations);
   const VectorXd load = loads_of_systems(programme, solution, systems);
   const Index pairs = programme.A.rows() - static_cast<Index>(law.pair.size());
   Certificate worst;
@@ -197,9 +197,8 @@ Certificate certificate_of(const QuadraticProgramme& programme, const PrimalDual
 double way_of_loads(const VectorXd& load, const VectorXd& contact, const VectorXd& diagonal, const VectorXd& u,
                     double nearest) {
   const double most = std::max(largest(load), largest(contact)), sum = largest(load - contact);
-  const bool rounding = sum <= static_cast<double>(contact.size()) * epsilon * most;
-  const double way = ratio(rounding ? most : sum, largest(diagonal));
-  const double far = largest(u);
+  const double rounding = static_cast<double>(contact.size()) * epsilon * most;
+  const double way = ratio(sum <= rounding ? most : sum, largest(diagonal)), far = largest(u);
   const bool at_rest = std::isfinite(way) && far <= epsilon * way;
   return std::min(way, at_rest ? std::max(far, nearest) : far);
 }

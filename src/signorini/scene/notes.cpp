@@ -7,8 +7,6 @@
 
 #include "signorini/scene/notes.hpp"
 
-#include "signorini/core/errors.hpp"
-
 namespace signorini {
 namespace {
 
@@ -25,7 +23,7 @@ std::string with_notes(const std::string& message, const std::vector<std::string
   for (const std::string& note : notes)
     if (message.find(note) == std::string::npos && left-- > 0)
       all += (all.find(note_mark) == std::string::npos ? note_mark : "; ") + note;
-  return left >= 0 ? all : text(all, "; and ", -left, " more");
+  return left >= 0 ? all : all + "; and " + std::to_string(-left) + " more";
 }
 
 // Two errors may have the same cause and different notes. The reader of scene files compares
