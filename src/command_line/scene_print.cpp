@@ -79,7 +79,7 @@ void print_bodies(std::ostream& out, const Model& model, const Solution& solutio
   for (const BodyFigures& body : figures_of(model, solution)) {
     out << "body '" << body.name << "': moves by up to " << body.moves << ", at (" << body.at.x()
         << ", " << body.at.y() << "); von Mises' stress up to " << body.stress
-        << ", in the cell at (" << body.stressed_at.x() << ", " << body.stressed_at.y() << ')';
+        << " in the mean of a cell, that at (" << body.stressed_at.x() << ", " << body.stressed_at.y() << ')';
     if (body.supported) out << "; supports bear " << force_in_words(body.supports, body.axial);
     if (body.on_springs)
       out << (body.supported ? ", springs " : "; springs bear ")

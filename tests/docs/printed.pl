@@ -44,7 +44,7 @@ END
 my ($text) = told('solve', 'statics.toml');
 my ($read) = json('solve', 'statics.toml');
 my $mises = sqrt(3**2 + 6.75**2 + 3 * 6.75);    # in the middle of the lowest cell, a quarter above the floor
-my @line = $text =~ /^body 'block': moves by up to ($number), at \(($number), ($number)\); von Mises' stress up to ($number), in the cell at \(($number), ($number)\); supports bear \(($number), ($number)\)$/m;
+my @line = $text =~ /^body 'block': moves by up to ($number), at \(($number), ($number)\); von Mises' stress up to ($number) in the mean of a cell, that at \(($number), ($number)\); supports bear \(($number), ($number)\)$/m;
 my @bodies = @{ $read->{bodies} };
 my @told = map { $_->{moves}, @{ $_->{at} }, $_->{stress}, @{ $_->{stressed_at} }, @{ $_->{supports} } } $bodies[0];
 my @wanted = (0.012 * sqrt(2), 4, 2, $mises, 0, 0, -6, 0);
