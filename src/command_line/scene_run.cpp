@@ -59,6 +59,7 @@ void follow(SceneRun& run, Ledger ledger, const StepObserver& observe, const Pro
     const Overdue overdue = watch(condensing(), run);
     return run.step([&] { return condense_path(model, ledger); });
   }();
+  model.order.reset();  // that of the forecast: a run that goes on from a state has none either
   const std::vector<double>& times = model.path.times;
   const auto left = [&](double time) {
     return std::count_if(times.begin(), times.end(), [&](double t) { return t > time; });

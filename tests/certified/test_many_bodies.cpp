@@ -113,7 +113,7 @@ TEST_CASE("a slender tower with friction is solved by its entries, and each bloc
   const Solution whole = solve(model, left, ledger);
   REQUIRE(whole.contact.report.status == SolveStatus::Solved);
   CHECK(whole.contact.report.iterations <= 10);
-  CHECK(whole.ledger.counted("refinement", "solves") == 1);
+  CHECK(whole.ledger.counted("refinement", "solves") <= 2);
   CHECK(whole.ledger.counted("condensation", "operations") == ledger.counted("condensation", "operations"));
   VectorXd borne = VectorXd::Zero(blocks);
   for (Index pair = 0; pair < whole.contact.force.size(); ++pair)

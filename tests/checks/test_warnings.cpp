@@ -288,6 +288,10 @@ TEST_CASE("an error tells every note once, however many tell them", "[warnings]"
   });
   CHECK(told == "it fails. Note: soft; thin");
   CHECK(with_notes("it fails", {}) == "it fails");
+  const std::vector<std::string> five = {"locks", "bends", "bends", "turns", "slides"};
+  const std::string some = with_notes("it fails", five);
+  CHECK(some == "it fails. Note: locks; bends; turns; and 1 more");
+  CHECK(with_notes(some, five) == some);
   CHECK(without_notes(told) == "it fails");
   CHECK(without_notes("it fails") == "it fails");
 }

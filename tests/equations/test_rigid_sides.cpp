@@ -327,13 +327,13 @@ TEST_CASE("forces that move nothing and bonds that hold nothing are noted", "[ri
   given.x = 0.1;
   given.force = {3, 10};
   given.moment = 2;
-  CHECK(notes(given).find("x is given, so that a force along x on it moves nothing") != std::string::npos);
+  CHECK(notes(given).find("x is given, so that the prescribed motion takes up a force along x") != std::string::npos);
   CHECK(notes(given).find("y is given") == std::string::npos);
   CHECK(notes(given).find("turn is given") == std::string::npos);
   CHECK(notes(given).find("does nothing") == std::string::npos);
   RigidSide held = top();
   held.side.boundary = "bottom";
-  CHECK(notes(held).find("supports hold all that it would hold, so that it does nothing") != std::string::npos);
+  CHECK(notes(held).find("supports hold all of its nodes, so that it does nothing") != std::string::npos);
 }
 
 TEST_CASE("numbers that a rigid side cannot have are refused", "[rigid-sides][errors]") {

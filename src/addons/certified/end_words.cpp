@@ -1,10 +1,12 @@
 #include "addons/certified/end_words.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "signorini/core/errors.hpp"
 #include "signorini/core/index.hpp"
+#include "signorini/core/rounding.hpp"
 #include "signorini/core/table.hpp"
 #include "signorini/core/wording.hpp"
 #include "signorini/scene/bodies.hpp"
@@ -61,7 +63,7 @@ std::string ray_in_words(const Model& model) {
 std::string contradiction_in_words(const Model& model, const Eigen::VectorXd& proof) {
   std::vector<Index> order;
   for (Index pair = 0; pair < proof.size(); ++pair)
-    if (proof(pair) > 0) order.push_back(pair);
+    if (proof(pair) > std::sqrt(epsilon) * largest(proof)) order.push_back(pair);
   if (order.empty()) return "";
   std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return proof(a) > proof(b); });
   constexpr std::size_t few = 3;
@@ -69,7 +71,7 @@ std::string contradiction_in_words(const Model& model, const Eigen::VectorXd& pr
   for (std::size_t k = 0; k < std::min(few, order.size()); ++k)
     pairs += text(k == 0 ? "" : "; ", pair_in_words(model, order[k]), ", of '",
                   model.contacts[model.contact_of[at(order[k])]], '\'');
-  return text(order.size() == 1 ? "nothing that moves opens the overlap of " : "nothing that moves opens the overlaps of all of ",
+  return text(order.size() == 1 ? "no displacement opens " : "no displacement opens these pairs together: ",
               pairs, order.size() > few ? text("; and ", order.size() - few, " more") : "",
               ". Move one of the sides away, or let supports and bounds leave them room");
 }

@@ -27,7 +27,7 @@ namespace signorini {
 /// \return a sentence, with the pair of the largest friction coefficient
 [[nodiscard]] std::string ray_in_words(const Model& model);
 
-/// Which gaps cannot all stay open or closed, where a proof says so.
+/// Names the pairs that cannot all be free of overlap. What counts for less in the proof than half of its digits is rounding.
 /// \param model  that was not solved
 /// \param proof  forces `n_c` that move nothing and work on the gaps of the meshes, see ContactState::farkas_certificate
 /// \return a sentence with the pairs that count most in it, and the way out; empty without a proof

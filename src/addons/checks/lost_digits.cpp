@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "addons/certified/known_forces.hpp"
+#include "addons/equations/equations.hpp"
 #include "signorini/core/errors.hpp"
 #include "signorini/core/index.hpp"
 #include "signorini/core/plane.hpp"
@@ -138,7 +139,9 @@ void check_lost_digits(const Model& model, const Condensed& /*condensed*/, Solut
   // What rounding of K does to a sum of internal forces, as errors without an order add up, and some times more.
   const QuadraticProgramme& programme = model.programme;
   const double rounding = 8 * epsilon * size_of(programme.stiffness) * farthest(solution);
-  const bool moved = !model.unknowns.held.isZero(0);  // by supports, which is in p as well
+  const bool bound = model.equations && std::any_of(model.equations->rows.begin(), model.equations->rows.end(),
+                                                    [](const Equation& row) { return row.right != 0; });
+  const bool moved = bound || !model.unknowns.held.isZero(0);  // by supports or equations, which is in p as well
   std::optional<VectorXd> contact;
   std::optional<Whole> whole;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {

@@ -41,14 +41,15 @@ enum class Holds {
 /// sides are matched in order, and a shift must take one side to the other. A term of one node stands in every one of them.
 struct Relation {
   std::vector<RelationTerm> terms;        ///< one or more
-  double right = 0;                       ///< their sum, or the bound of it [length]
+  double right = 0;                       ///< their sum where its history is 1, or the bound of it [length]
   /// A spring in the place of the equation, > 0 [force/length]; none in that of a pair
   std::optional<double> stiffness = {};
   Holds holds = Holds::Equal;             ///< whether the sum is `right` or is bounded by it
   std::string history = {};               ///< that the number of an equation follows; empty: it is always there
 };
 
-/// Histories of load steps that the numbers of a rigid side follow, each of the same name; empty: it is always there.
+/// Histories of load steps that the numbers of a rigid side follow: `x` is that of its shift x. A number without a history is always
+/// there; one with a history is what it is where the history is 1.
 struct RigidHistories {
   std::string x = {};
   std::string y = {};

@@ -45,8 +45,18 @@ double open_equations(const Model& model, const Solution& solution, const Vector
     if (right > 0) nearest = std::min(nearest, right);
     most = std::max(most, std::abs(left(k)));
   }
-  const VectorXd contact = programme.A.transpose() * solution.refined.force;
-  return ratio(most, std::max(length, way_of_loads(programme.load, contact, programme.stiffness.diagonal(), u, nearest)));
+  // Of other bodies nothing counts: they may move far.
+  VectorXd own = VectorXd::Zero(model.unknowns.count);
+  for (const Bond& bond : all.bonds)
+    for (std::size_t k = bond.first; k < bond.end; ++k)
+      for (const auto& [component, value] : all.rows[k].terms) {
+        const BodyModel& body = model.bodies[body_of_node(model.bodies, component / 2)];
+        own.segment(body.first_unknown, body.unknowns.count).setOnes();
+      }
+  const VectorXd contact = own.cwiseProduct(programme.A.transpose() * solution.refined.force);
+  const VectorXd way = own.cwiseProduct(solution.refined.displacement);
+  return ratio(most, std::max(length, way_of_loads(own.cwiseProduct(programme.load), contact,
+                                                   own.cwiseProduct(programme.stiffness.diagonal()), way, nearest)));
 }
 
 void add_loads(const Bond& bond, const Model& model, VectorXd& nodal) {

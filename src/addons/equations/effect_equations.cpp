@@ -79,12 +79,12 @@ void note_repeated(const Equations& all, const NodalRows& free, Plan& draft) {
                                equation_in_words(all, twice.front(), draft)));
 }
 
-/// Bonds of which supports hold all nodes: they bear nothing, and nothing else would show it.
+/// Notes bonds without a row that could move: they bear nothing, and nothing else would show it.
 void note_held(const Equations& all, const NodalRows& free, Plan& draft) {
   for (const Bond& bond : all.bonds) {
     bool moves = bond.end == bond.first && bond.left_out.empty();
     for (std::size_t k = bond.first; k < bond.end; ++k) moves = moves || NodalRows::InnerIterator(free, static_cast<Index>(k));
-    if (!moves) draft.notes.push_back(bond.what + ": supports hold all that it would hold, so that it does nothing");
+    if (!moves) draft.notes.push_back(bond.what + ": supports hold all of its nodes, so that it does nothing");
   }
 }
 
@@ -132,8 +132,9 @@ void solve_rows(const Scene& scene, Plan& draft, Equations& all) {
     require_input(wrong.empty(), wrong.size(),
                   wrong.size() == 1 ? " equation contradicts" : " equations contradict", " others or supports",
                   when, ", the first: ",
-                  wrong.empty() ? "" : equation_in_words(all, wrong.front(), draft), ", by ", all.solved.apart,
-                  all.solved.other < 0 ? "" : ", beside " + equation_in_words(all, all.solved.other, draft),
+                  wrong.empty() ? "" : equation_in_words(all, wrong.front(), draft), ", which differs by ", all.solved.apart,
+                  " from what ",
+                  all.solved.other < 0 ? "supports give" : equation_in_words(all, all.solved.other, draft) + " says",
                   ". Leave out one of those that hold the same displacement");
   });
   note_repeated(all, free, draft);

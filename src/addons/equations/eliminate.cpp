@@ -164,8 +164,9 @@ Eliminated eliminate(const NodalRows& rows, const VectorXd& right, const VectorX
     if (std::abs(left) > allowed && all.contradicting.empty()) {
       all.apart = std::abs(left);
       row.right.erase(k);
+      const double weight = largest_of(row.right);
       for (const auto& [from, factor] : row.right)
-        if (std::abs(factor) == largest_of(row.right)) all.other = from;
+        if (all.other < 0 && weight > cancelled && std::abs(factor) == weight) all.other = from;
     }
     (std::abs(left) <= allowed ? all.repeated : all.contradicting).push_back(k);
   }

@@ -22,7 +22,7 @@ struct Eliminated {
   std::vector<Eigen::Index> repeated = {};       ///< rows that others say as well
   std::vector<Eigen::Index> contradicting = {};  ///< rows that say other things than others
   double apart = 0;         ///< by how much the first of these does [length]
-  Eigen::Index other = -1;  ///< a row that it contradicts, the one that counts most; -1: what supports give
+  Eigen::Index other = -1;  ///< the row that counts most in what it contradicts; -1: only what supports give
 };
 
 /// Solves equations one after the other, each for the unknown that it names, if the row has a good part of it, or for

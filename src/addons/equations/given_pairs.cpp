@@ -196,7 +196,7 @@ void each_given(const Scene& scene, const Plan& draft, const Equations& all,
   const std::vector<History> none;
   each_given(scene, draft, [&](const NodeArray& held, std::optional<double> time) {
     const std::vector<History>& histories = scene.path ? scene.path->histories : none;
-    visit(held, right_sides(all, held, factors_at(histories, time.value_or(0))), time);
+    visit(held, right_sides(all, held, factors_at(histories, time.value_or(draft.time))), time);
   });
 }
 

@@ -178,6 +178,7 @@ std::vector<BondLoad> loads_of(const RigidSide& rigid, const RigidMotion& motion
     std::map<Index, double> push;
     motion.add_shift(rigid.centre, force, 1, push);
     motion.add_turn(moment, push);
+    if (push.empty() && !history.empty()) push[2 * motion.first()] = 0;  // a history that is followed, by nothing
     for (const auto& [component, value] : push) loads.push_back({component, value, history});
   };
   drive(rigid.force, 0, rigid.histories.force);
@@ -189,8 +190,7 @@ std::vector<BondLoad> loads_of(const RigidSide& rigid, const RigidMotion& motion
 void note_idle(const RigidSide& rigid, const std::string& what, std::vector<std::string>& notes) {
   const auto note = [&](bool given, const char* way, double load, const char* word) {
     if (given && load != 0)
-      notes.push_back(text(what, ": ", way, " is given, so that ", word,
-                           " on it moves nothing: what gives the one bears the other"));
+      notes.push_back(text(what, ": ", way, " is given, so that the prescribed motion takes up ", word, ", which moves nothing"));
   };
   note(rigid.x.has_value(), "x", rigid.force.x(), "a force along x");
   note(rigid.y.has_value(), "y", rigid.force.y(), "a force along y");

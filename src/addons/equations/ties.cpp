@@ -81,7 +81,7 @@ void add_row(const Equation& row, double factor, Equation& sum) {
   for (const auto& [component, value] : row.terms) terms[component] += factor * value;
   sum.terms.assign(terms.begin(), terms.end());
   sum.right += factor * row.right;
-  sum.rounding += factor * row.rounding;
+  sum.rounding += std::abs(factor) * row.rounding;
   for (const RowPart& part : row.parts)
     sum.parts.push_back({part.pair, factor * part.opening, factor * part.sliding});
 }
@@ -97,25 +97,39 @@ std::vector<Index> next_along(const Surface& source, Index end) {
   return next;
 }
 
-/// What a row would bear that is left out, or of which supports hold all, the rows of the nodes next to it bear: else a uniform
-/// traction would lack the part of it that the node has, and a side whose ends are held would fail the patch test. Of mortar rows
-/// the sum is that of their integrals.
-void hand_on(const Surface& source, const Plan& draft, const Bond& bond, std::vector<Equation>& rows) {
+/// Some rows bear nothing: they are left out, or supports hold all of their nodes. What they would bear, the rows of the nearest
+/// nodes on both sides bear that can. Without that a uniform traction would lack a part, and sides whose ends are held would fail the
+/// patch test. The sum of mortar rows is that of their integrals.
+/// Where there are none, because supports hold all nodes of the source, a row that was left out holds what it faces after all.
+/// \param slides  whether each node has one row, along its normal
+void hand_on(const Surface& source, const Plan& draft, bool slides, Bond& bond, std::vector<Equation>& rows) {
   const auto weight = [&](const Equation& row) { return bond.pairs.weight(row.parts.front().pair); };
+  const auto is_held = [&](const Equation& row) {
+    return std::all_of(row.terms.begin(), row.terms.end(), [&](const auto& term) { return held(draft, term.first); });
+  };
   std::vector<Equation> idle = bond.left_out;
-  std::copy_if(rows.begin() + static_cast<std::ptrdiff_t>(bond.first), rows.end(), std::back_inserter(idle),
-               [&](const Equation& row) {
-                 return std::all_of(row.terms.begin(), row.terms.end(),
-                                    [&](const auto& term) { return held(draft, term.first); });
-               });
+  std::copy_if(rows.begin() + static_cast<std::ptrdiff_t>(bond.first), rows.end(), std::back_inserter(idle), is_held);
+  bond.left_out.clear();
+  std::vector<Equation> alone;
   for (const Equation& left : idle) {
     std::vector<Equation*> heirs;
-    for (const Index node : next_along(source, left.own / 2))
-      for (std::size_t k = bond.first; k < rows.size(); ++k)
-        if (rows[k].own == 2 * node + left.own % 2) heirs.push_back(&rows[k]);
+    std::vector<Index> seen = {left.own / 2};
+    for (std::size_t k = 0; k < seen.size(); ++k)
+      for (const Index node : next_along(source, seen[k])) {
+        const auto heir = std::find_if(rows.begin() + static_cast<std::ptrdiff_t>(bond.first), rows.end(),
+                                       [&](const Equation& row) {
+                                         return row.own / 2 == node && (slides || row.own % 2 == left.own % 2);
+                                       });
+        if (heir != rows.end() && !is_held(*heir) && weight(*heir) > 0)
+          heirs.push_back(&*heir);
+        else if (std::find(seen.begin(), seen.end(), node) == seen.end())
+          seen.push_back(node);
+      }
     for (Equation* const heir : heirs)
       add_row(left, weight(left) / (weight(*heir) * static_cast<double>(heirs.size())), *heir);
+    if (!is_held(left)) (heirs.empty() ? alone : bond.left_out).push_back(left);
   }
+  rows.insert(rows.end(), alone.begin(), alone.end());
 }
 
 /// What is done about gaps of the meshes, in words for the plan; nothing if there are none.
@@ -192,8 +206,8 @@ void add_tie(const Tie& tie, Plan& draft, Equations& all) {
     for (Equation& row : rows_of(bond.pairs, slips, pair, node, draft, tie.slides))
       (between_supports(draft, row) ? bond.left_out : all.rows).push_back(std::move(row));
   }
-  if (!tie.slides && find_gap_operator(tie.sides.gap_operator).passes_patch_test)
-    hand_on(surface(draft.bodies, tie.sides.source), draft, bond, all.rows);
+  if (!tie.stiffness && find_gap_operator(tie.sides.gap_operator).passes_patch_test)
+    hand_on(surface(draft.bodies, tie.sides.source), draft, tie.slides, bond, all.rows);
   bond.end = all.rows.size();
   const bool rigid = std::holds_alternative<Obstacle>(tie.sides.target);
   draft.on.push_back(text(bond.what, ": ", bond.end - bond.first,

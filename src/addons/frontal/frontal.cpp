@@ -11,7 +11,7 @@ namespace {
 EliminationOrder order_of(const Stiffness& K, Ledger& ledger) {
   const Ledger::Phase ordering(ledger, "ordering");
   if (const auto* before = std::any_cast<EliminationOrder>(&K.order))
-    if (keeps_apart(**before, K.matrix)) return *before;
+    if (*before && keeps_apart(**before, K.matrix)) return *before;
   ledger.count("orders", 1);
   return std::make_shared<const SeparatorTree>(
       separator_tree(K.matrix, K.positions ? K.positions() : Positions{}));

@@ -56,7 +56,7 @@ class SetSearch {
 
 bool SetSearch::exchange(Index most, SparseContactSolution& found) {
   std::set<std::vector<ContactStatus>> seen;
-  // Fewest changes so far. A set with more than twice as many leads away from where it began: Newton's method goes in circles then.
+  // Fewest changes so far. A set with more than twice as many leads away from where it began.
   Index least = system_.alone() ? system_.units().pairs() / 16 : system_.units().pairs();
   for (Index step = 0; step < most && seen.insert(found.statuses).second; ++step) {
     const ActiveSet set = active_set(found.statuses, system_.units().law);

@@ -22,7 +22,7 @@ using Triplets = std::vector<Eigen::Triplet<double>>;
 /// condition is beyond 1e9. Either forces are known to fewer than the six digits that are printed: then others have to say so. Or it
 /// is a motion that hardly anything resists, as of a tall stack that leans: then sweeps go on.
 constexpr int few_sweeps = 6;
-/// How many times as much of the positions as of the forces has to change for it to be a motion.
+/// It is a motion if the share of the positions that a sweep changes is so many times that of the forces.
 constexpr double of_motion = 16;
 /// Of the largest force: what a force may be wrong by behind the last sweep. The certificate lets pass 22 times as much.
 constexpr double force_rounding = 200 * epsilon;
@@ -151,7 +151,7 @@ bool SparseSetSystem::solve(const ActiveSet& set, double soft) {
     settled_ = alone() ? soft == 0 && closes(set) : std::max(moved, pushed) <= epsilon;
     const bool motion = !alone() && (pushed <= epsilon || of_motion * pushed <= moved) && 2 * moved <= before;
     if (settled_ || (sweep >= few_sweeps && !motion)) return true;
-    before = moved;
+    before = moved;  // at least halved, so that sweeps end
   }
 }
 

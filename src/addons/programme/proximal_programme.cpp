@@ -198,12 +198,15 @@ class Proximal {
            keep(own.initial_gap, {VectorXd::Zero(own.load.size()), {}, std::move(force)});
   }
 
-  /// Keeps a place without any force where there is neither K nor load: each that all rows allow is a solution. \return whether it is one
+  /// Keeps a place without any force where there is neither K nor load: each that all rows allow is a solution. Of places so far away that
+  /// right sides are out of their digits nothing is known. \return whether it is one
   bool keep_any_place(PrimalDual place) {
     const DenseProgramme& own = own_.programme;
     if (!own.stiffness.isZero(0) || !own.load.isZero(0)) return false;
     place.force.setZero();
     VectorXd gap = own.initial_gap - own.A * place.displacement;
+    const double least = spring * largest(own.initial_gap);
+    if ((gap.array() < -least).any() || largest(VectorXd(gap.head(own.equations))) > least) return false;
     if (!keep(gap, std::move(place))) return false;
     best_.report.status = SolveStatus::Solved;
     return true;

@@ -143,10 +143,11 @@ struct EquationRows {
 [[nodiscard]] Certificate certify(const QuadraticProgramme& programme, const PrimalDual& solution,
                                   const FrictionLaw& law, const KnownMatrices* known = nullptr);
 
-/// The second length of certify(), for movements that contact or equations hold at 0.
+/// How far loads would move a body that contact, or equations, hold at 0: \f$ |p - A^T\lambda|_\infty / \max_j K_{jj} \f$, phi in the
+/// place of its numerator if that is rounding, and within the bounds that certify() states. Gaps are measured by it, and equations.
 /// \param load      p `n` [force] \param contact  A^T lambda `n` [force] \param diagonal  of K `n` [force/length]
-/// \param u         [length] \param nearest  the least |g_i| / s_i > 0 [length]; infinity: all are 0
-/// \return how far the loads that are left would move the stiffest unknown, within the bounds above [length]
+/// \param u         [length] \param nearest  the least of the gaps, or right sides, that are not 0 [length]; infinity: all are
+/// \return that way [length]
 [[nodiscard]] double way_of_loads(const Eigen::VectorXd& load, const Eigen::VectorXd& contact,
                                   const Eigen::VectorXd& diagonal, const Eigen::VectorXd& u, double nearest);
 

@@ -79,8 +79,7 @@ double force_size(const QuadraticProgramme& programme, const VectorXd& diagonal,
 // since each term is rounded; or the way of loads, if that is longer.
 double length_of(const QuadraticProgramme& programme, const VectorXd& diagonal, const VectorXd& contact,
                  const VectorXd& u, const VectorXd& unit) {
-  double length = 0;
-  double nearest = std::numeric_limits<double>::infinity();
+  double length = 0, nearest = std::numeric_limits<double>::infinity();
   for (Index row = 0; row < programme.A.rows(); ++row) {
     double terms = 0;
     for (RowMatrix::InnerIterator entry(programme.A, row); entry; ++entry)

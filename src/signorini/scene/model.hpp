@@ -96,8 +96,8 @@ struct Plan {
   FrictionLaw law;  ///< of the pairs that can slide and whose own contact has friction
   Solver solver = primal_dual_active_set();  ///< of the scene
   Path path = {};                            ///< load steps, none without
-  double time = 0;  ///< of the load step that p and g are of, see Path [time]; 0 before the first
-  std::vector<std::string> follows = {};     ///< histories that effects before the load steps follow, each as often as it is
+  double time = 0;  ///< of the load step that the loads of a model are of, see Path [time]; 0 before the first
+  std::vector<std::string> follows = {};     ///< histories that bonds follow: one entry for each bond and history
   std::vector<LoadPart> parts = {};     ///< one for each history; p and g are their sum times these
   Backend backend = default_backend();  ///< of the scene, factors K
   std::any order = {};  ///< for the back end to begin with, see Stiffness; empty: it finds its own

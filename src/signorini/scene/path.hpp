@@ -44,7 +44,7 @@ struct Path {
 };
 
 /// \param histories  of a path \param name  of one, or empty: of what is always there \param time  any [time]
-/// \return what loads of that history are multiplied by then, 1 if there is no such history [-]
+/// \return what loads of that history are multiplied by then; 1 of one that is not there, which a plan refuses [-]
 [[nodiscard]] inline double factor_of(const std::vector<History>& histories, const std::string& name,
                                       double time) {
   for (const History& history : histories)
