@@ -44,8 +44,8 @@ bool surely_independent(SparseMatrix E) {
   }
   SparseMatrix products = E.transpose() * E;
   for (Index j = 0; j < E.cols(); ++j) products.coeffRef(j, j) -= rounding_of(E.cols(), E.rows());
-  const Eigen::SimplicialLLT<SparseMatrix> factor(products);
-  return factor.info() == Eigen::Success;
+  const Eigen::SimplicialLDLT<SparseMatrix> factor(products);
+  return factor.info() == Eigen::Success && (factor.vectorD().array() > 0).all();
 }
 
 /// The same part by part, as columns that have no row in common cannot depend on each other: nodes that meet rigid obstacles are
