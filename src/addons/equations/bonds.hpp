@@ -51,11 +51,11 @@ struct Relation {
 /// Histories of load steps that the numbers of a rigid side follow: `x` is that of its shift x. A number without a history is always
 /// there; one with a history is what it is where the history is 1.
 struct RigidHistories {
-  std::string x = {};
-  std::string y = {};
-  std::string turn = {};
-  std::string force = {};
-  std::string moment = {};
+  std::string x = {};       ///< of RigidSide::x
+  std::string y = {};       ///< of RigidSide::y
+  std::string turn = {};    ///< of RigidSide::turn
+  std::string force = {};   ///< of RigidSide::force
+  std::string moment = {};  ///< of RigidSide::moment
 };
 
 /// A side that moves as a rigid body: a shift and a turn, each prescribed, or driven by forces, or neither.
