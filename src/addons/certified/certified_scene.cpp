@@ -106,7 +106,8 @@ Solution certified_solve(const Model& model, const Condensed& condensed, const S
   }
   KnownMatrices found;
   const bool known = few || condensed.known.diagonal.size() > 0;
-  if (!known) found.connected = known_matrices(model.programme, model.law).connected;
+  if (!known)
+    found.connected = unconnected_systems(model.programme, model.law, {}, epsilon).empty();
   const KnownMatrices& matrices = known ? condensed.known : found;
   const auto solve_all = [&] {
     CondensedProgramme programme = condensed_programme(condensed, ledger);

@@ -175,25 +175,25 @@ Unknowns number_unknowns(const Mesh& mesh, const std::vector<Support>& supports,
 
 /// Bodies are numbered one after the other. Their stiffnesses are blocks on the diagonal, and
 /// nothing but contact couples them.
-Unknowns joined(const std::vector<Unknowns>& bodies) {
+Unknowns joined(const std::vector<const Unknowns*>& bodies) {
   Unknowns all;
   Index n_nodes = 0;
   Index n_unknowns = 0;
-  for (const Unknowns& body : bodies) {
-    n_nodes += body.number.rows();
-    n_unknowns += body.count;
+  for (const Unknowns* body : bodies) {
+    n_nodes += body->number.rows();
+    n_unknowns += body->count;
   }
   all.node_of.reserve(at(n_unknowns));
   all.number.resize(n_nodes, 2);
   all.held.resize(n_nodes, 2);
   Index first = 0;
-  for (const Unknowns& body : bodies) {
-    const Index rows = body.number.rows();
+  for (const Unknowns* body : bodies) {
+    const Index rows = body->number.rows();
     // Held components stay at -1, all others count on from the bodies before.
-    all.number.middleRows(first, rows) = (body.number < 0).select(-1, body.number + all.count);
-    all.held.middleRows(first, rows) = body.held;
-    for (const int node : body.node_of) all.node_of.push_back(static_cast<int>(first) + node);
-    all.count += body.count;
+    all.number.middleRows(first, rows) = (body->number < 0).select(-1, body->number + all.count);
+    all.held.middleRows(first, rows) = body->held;
+    for (const int node : body->node_of) all.node_of.push_back(static_cast<int>(first) + node);
+    all.count += body->count;
     first += rows;
   }
   return all;

@@ -106,8 +106,8 @@ struct Unknowns {
                                        PlaneState state = PlaneState::Strain);
 
 /// Numbers the unknowns of several bodies one after another.
-/// \param bodies  numbered one by one
+/// \param bodies  numbered one by one; none is null
 /// \return nodes and unknowns of the first body, then those of the second, ...
-[[nodiscard]] Unknowns joined(const std::vector<Unknowns>& bodies);
+[[nodiscard]] Unknowns joined(const std::vector<const Unknowns*>& bodies);
 
 }  // namespace signorini

@@ -124,8 +124,8 @@ void plan_body(const Body& body, Plan& plan) {
 // support has three of these, one that is held along y has one. Whether contact stops them is
 // asked later, by the last effect of the table.
 void plan_unknowns(const Scene& scene, Plan& plan) {
-  std::vector<Unknowns> unknowns;
-  for (const BodyModel& body : plan.bodies) unknowns.push_back(body.unknowns);
+  std::vector<const Unknowns*> unknowns;
+  for (const BodyModel& body : plan.bodies) unknowns.push_back(&body.unknowns);
   plan.unknowns = joined(unknowns);
   plan.modes = rigid_modes(plan.bodies);
   for (const BodyModel& body : plan.bodies) ask_checks(plan.notes, &Check::mesh, scene, body);
