@@ -11,6 +11,7 @@
 #include "signorini/contact/gaps.hpp"
 #include "signorini/core/index.hpp"
 #include "signorini/problem/active_set_system.hpp"
+#include "signorini/problem/systems.hpp"
 #include "signorini/scene/motions.hpp"
 #include "signorini/scene/ways.hpp"
 
@@ -26,51 +27,46 @@ constexpr Index fewest_pairs = 256;
 /// How many pairs, if they are dense, cost as much as the factor of K, see chapter 21.
 Index paid_for(double operations) { return static_cast<Index>(std::cbrt(3 * operations)); }
 
-/// Every so many of some pairs that no more are left than are paid for: a load may make all pairs overlap where few will close.
-std::vector<Index> thinned(const std::vector<Index>& some, Index most) {
-  const Index stride = 1 + static_cast<Index>(some.size()) / std::max<Index>(most, 1);
+/// Every how many of n pairs that overlap are tried first: a load may make all pairs overlap where few will close. No more
+/// are tried than are paid for. With friction the rows of a pair cost more, and the stride is a balance: the trial has
+/// n / stride pairs, and misses the ends of a zone of contact, two by two, by strides. Their sum is least at half of the root of n.
+Index stride_of(const FrictionLaw& law, Index n, double operations) {
+  if (!law.pair.empty()) return 1 + static_cast<Index>(std::sqrt(static_cast<double>(n)) / 2);
+  return 1 + n / std::max<Index>(paid_for(operations), 1);
+}
+
+/// Every so many of some pairs.
+std::vector<Index> thinned(const std::vector<Index>& some, Index stride) {
   std::vector<Index> left;
   for (std::size_t k = 0; k < some.size(); k += at(stride)) left.push_back(some[k]);
   return left;
-}
-
-/// K and p, and no rows yet.
-QuadraticProgramme without_rows(QuadraticProgramme programme) {
-  programme.A.resize(0, programme.A.cols());
-  programme.initial_gap.resize(0);
-  return programme;
 }
 
 /// The pairs that are condensed, among all.
 struct WorkingSet {
   const Model& model;
   const CondensedProgramme whole;  ///< without compliance
-  QuadraticProgramme programme;    ///< K and p; A and g of the set
-  const KnownMatrices known;       ///< of K, whatever rows are in the set
-  std::vector<bool> in;            ///< `n_c` whether a pair is in the set
-  std::vector<Index> pairs = {};   ///< that are, in increasing order
-  ContactProblem problem = {};     ///< of the set, condensed
+  const VectorXd& opens;           ///< `n_c` by how much gaps are larger than in the model [length]
   Statuses statuses;               ///< `n_c` to begin a round with; empty: none are known
+  std::vector<bool> in = std::vector<bool>(at(opens.size()), false);  ///< `n_c` whether a pair is in the set
+  std::vector<Index> pairs = {};   ///< that are, in increasing order
+  SystemParts parts = {};          ///< their rows: gaps, then slips
+  NodalRows A = {};                ///< these rows
+  ContactProblem problem = {};     ///< of the set, condensed
+  KnownMatrices known = {};        ///< of K, whatever rows are in the set
 
-  WorkingSet(const Model& of, const CondensedProgramme& condensed, const SolverOptions& options);
   [[nodiscard]] VectorXd rounding(const CertifiedSolution& end) const;
   [[nodiscard]] std::vector<Index> entering(const CertifiedSolution& end) const;
+  void keep_closed();
   void take(const std::vector<Index>& some, Index reach);
   void condense(const Factor& factor, Ledger& ledger);
   [[nodiscard]] SolverOptions started(SolverOptions options) const;
+  [[nodiscard]] CertifiedSolution untouched() const;
   CertifiedSolution tried(const Solver& solver, const SolverOptions& options, Ledger& ledger) const;
   CertifiedSolution solved(const Solver& solver, const SolverOptions& options, Ledger& ledger) const;
   void widen(CertifiedSolution& end);
+  [[nodiscard]] bool tells_of_others(const CertifiedSolution& end) const;
 };
-
-WorkingSet::WorkingSet(const Model& of, const CondensedProgramme& condensed,
-                       const SolverOptions& options)
-    : model(of),
-      whole(condensed),
-      programme(without_rows(of.programme)),
-      known(known_matrices(programme, {})),
-      in(at(of.programme.A.rows()), false),
-      statuses(options.start) {}
 
 /// What gaps are known to, as in check_signs().
 VectorXd WorkingSet::rounding(const CertifiedSolution& end) const {
@@ -81,9 +77,15 @@ VectorXd WorkingSet::rounding(const CertifiedSolution& end) const {
 std::vector<Index> WorkingSet::entering(const CertifiedSolution& end) const {
   const VectorXd least = rounding(end);
   std::vector<Index> some;
-  for (Index pair = 0; pair < least.size(); ++pair)
+  for (Index pair = 0; pair < end.state.gap.size(); ++pair)
     if (!in[at(pair)] && !(end.state.gap(pair) > least(pair))) some.push_back(pair);
   return some;
+}
+
+/// Leaves out those that ended up open.
+void WorkingSet::keep_closed() {
+  for (std::size_t pair = 0; pair < in.size(); ++pair)
+    if (statuses[pair] == ContactStatus::Open) in[pair] = false;
 }
 
 /// Takes in pairs, and so many neighbours on each side of each. Pairs of a contact are numbered along its source.
@@ -99,11 +101,17 @@ void WorkingSet::take(const std::vector<Index>& some, Index reach) {
 
 void WorkingSet::condense(const Factor& factor, Ledger& ledger) {
   const Ledger::Phase phase(ledger, "condensation");
-  programme.A = selected_rows(model.programme.A, pairs);
-  programme.initial_gap = model.programme.initial_gap(pairs);
-  problem.compliance = factor.compliance(programme.A, ledger);
-  problem.free_gap = whole.problem.free_gap(pairs);
-  ledger.count("condensed pairs", programme.A.rows());
+  std::vector<Index> slips;
+  parts.rows = pairs;
+  for (std::size_t k = 0; k < model.law.pair.size(); ++k)
+    if (in[at(model.law.pair[k])]) slips.push_back(static_cast<Index>(k));
+  for (const Index slip : slips) parts.rows.push_back(static_cast<Index>(in.size()) + slip);
+  A = selected_rows(model.programme.A, parts.rows);
+  problem.compliance = factor.compliance(A, ledger);
+  problem.free_gap = whole.problem.free_gap(pairs) + opens(pairs);
+  problem.free_slip = whole.problem.free_slip(slips);
+  problem.law = part_of(model.law, static_cast<Index>(in.size()), parts);
+  ledger.count("condensed pairs", A.rows());
   ledger.bytes(problem.compliance.size() * static_cast<long long>(sizeof(double)));
 }
 
@@ -115,6 +123,14 @@ SolverOptions WorkingSet::started(SolverOptions options) const {
   return options;
 }
 
+/// The end without contact forces.
+CertifiedSolution WorkingSet::untouched() const {
+  CertifiedSolution end;
+  end.solution = {whole.free_displacement, {}, VectorXd::Zero(model.programme.A.rows())};
+  end.state.gap = whole.problem.free_gap + opens;
+  return end;
+}
+
 /// What the condensed set says of its pairs, and displacements that are not refined: enough to tell who else may close.
 CertifiedSolution WorkingSet::tried(const Solver& solver, const SolverOptions& options,
                                     Ledger& ledger) const {
@@ -124,14 +140,16 @@ CertifiedSolution WorkingSet::tried(const Solver& solver, const SolverOptions& o
   ledger.count("iterations", end.state.report.iterations);
   ledger.count("factorisations", end.state.report.factorisations);
   if (end.state.report.status != SolveStatus::Solved) return end;
-  end.solution.force = end.state.force;
+  end.solution.force = all_forces(end.state);
   end.solution.displacement =
-      whole.free_displacement - whole.solve_stiffness(programme.A.transpose() * end.state.force);
+      whole.free_displacement - whole.solve_stiffness(A.transpose() * end.solution.force);
   return end;
 }
 
 CertifiedSolution WorkingSet::solved(const Solver& solver, const SolverOptions& options,
                                      Ledger& ledger) const {
+  const QuadraticProgramme programme{model.programme.stiffness, model.programme.load, A,
+                                     model.programme.initial_gap(parts.rows)};
   const CondensedProgramme own{problem, whole.free_displacement, whole.solve_stiffness,
                                whole.solve_part, &known};
   return certified_solve(programme, own, mode_shapes(model.modes), solver, started(options), ledger);
@@ -144,43 +162,59 @@ void WorkingSet::widen(CertifiedSolution& end) {
   statuses.assign(in.size(), ContactStatus::Open);
   for (std::size_t k = 0; k < own.size(); ++k) statuses[at(pairs[k])] = own[k];
   VectorXd force = VectorXd::Zero(model.programme.A.rows());
-  force(pairs) = end.solution.force;
+  force(parts.rows) = end.solution.force;
   end.solution.force = std::move(force);
-  const VectorXd gap = gaps(model.programme, end.solution);
+  VectorXd gap = gaps(model.programme, end.solution);
+  gap.head(opens.size()) += opens;
   fill_state(model.law, statuses, end.solution.force, gap, end.state);
   if (Index& pair = end.force_uncertainty.pair; pair >= 0) pair = pairs[at(pair)];
   const VectorXd least = rounding(end);
-  for (Index pair = 0; pair < gap.size(); ++pair)
+  for (Index pair = 0; pair < end.state.gap.size(); ++pair)
     if (!in[at(pair)] && gap(pair) < -least(pair)) statuses[at(pair)] = ContactStatus::Stick;
 }
 
-/// Round after round. Where not all that overlap are in the first one, it is not refined: it is there to say who enters.
+/// Whether all pairs may have a proof that there is one solution, or a doubt: what fails on some of them, see excludes_others(),
+/// fails on all, since a principal submatrix has less to lose.
+bool WorkingSet::tells_of_others(const CertifiedSolution& end) const {
+  return !model.law.pair.empty() && (pairs.empty() || end.state.uniqueness != Uniqueness::Unknown);
+}
+
+/// The pairs to begin with: those that are said to be closed, or else those that overlap. Of these every so many,
+/// where that is worth a trial.
+std::vector<Index> first_pairs(const WorkingSet& set, double operations) {
+  std::vector<Index> closed;
+  for (std::size_t pair = 0; pair < set.statuses.size(); ++pair)
+    if (set.statuses[pair] != ContactStatus::Open) closed.push_back(static_cast<Index>(pair));
+  if (!closed.empty()) return closed;
+  const std::vector<Index> overlapping = set.entering(set.untouched());
+  return thinned(overlapping, stride_of(set.model.law, static_cast<Index>(overlapping.size()), operations));
+}
+
+/// Round after round: each shows who enters, and of the first one only what closed stays.
+/// \param refined  whether the last one is solved once more, to the end
 /// \return the last one, if it was solved and was worth its rounds
-std::optional<CertifiedSolution> grown(WorkingSet& set, const Condensed& condensed,
-                                       const Solver& solver, const SolverOptions& options,
-                                       Ledger& ledger) {
-  const Index all = condensed.problem.free_gap.size();
-  const auto dense = [](double m) { return m * m * m; };
+std::optional<CertifiedSolution> grown(WorkingSet& set, const Factor& factor, const Solver& solver,
+                                       const SolverOptions& options, bool refined, Ledger& ledger) {
+  const auto dense = [](std::size_t m) { return std::pow(static_cast<double>(m), 3); };
   CertifiedSolution end;
-  end.solution = {condensed.free_displacement, {}, VectorXd::Zero(all)};
-  end.state.gap = condensed.problem.free_gap;
   Report report;
-  const std::vector<Index> overlapping = set.entering(end);
-  std::vector<Index> some = thinned(overlapping, paid_for(condensed.factor.operations()));
-  bool trial = some.size() < overlapping.size();
+  std::vector<Index> some = first_pairs(set, factor.operations());
+  bool trial = true;
   double made = 0;
   for (Index reach = 0; reach == 0 || !some.empty(); reach = std::max<Index>(1, 2 * reach)) {
+    if (reach == 1) set.keep_closed();
     set.take(some, reach);
-    made += dense(static_cast<double>(set.pairs.size()));
-    if (2 * made > dense(static_cast<double>(all))) return std::nullopt;
-    set.condense(condensed.factor, ledger);
+    made += dense(set.pairs.size());
+    if (2 * made > dense(set.in.size())) return std::nullopt;
+    set.condense(factor, ledger);
     do {
       end = trial ? set.tried(solver, options, ledger) : set.solved(solver, options, ledger);
       append(report, end.state.report);
       if (report.status != SolveStatus::Solved) return std::nullopt;
       set.widen(end);
       some = set.entering(end);
-    } while (std::exchange(trial, false) && some.empty());
+      if (refined && some.empty() && set.tells_of_others(end)) return std::nullopt;
+    } while (refined && some.empty() && std::exchange(trial, false));
   }
   end.state.report = std::move(report);
   return end;
@@ -188,10 +222,10 @@ std::optional<CertifiedSolution> grown(WorkingSet& set, const Condensed& condens
 
 }  // namespace
 
-bool working_set_pays(const Plan& plan, Index pairs, double operations) {
-  const bool plain = plan.modes.empty() && plan.law.pair.empty() && plan.path.times.empty() &&
-                     !plan.equations && !plan.loop;
-  return plain && pairs >= fewest_pairs && pairs > paid_for(operations);
+bool working_set_pays(const Plan& plan, Index rows, double operations) {
+  const bool plain = plan.modes.empty() && plan.path.times.empty() && !plan.equations && !plan.loop;
+  const double worth = plan.law.pair.empty() ? operations : operations / 2;
+  return plain && rows >= fewest_pairs && rows > paid_for(worth);
 }
 
 std::optional<CertifiedSolution> working_set_solution(const Model& model,
@@ -200,13 +234,29 @@ std::optional<CertifiedSolution> working_set_solution(const Model& model,
                                                       const SolverOptions& options,
                                                       Ledger& ledger) {
   try {
-    WorkingSet set(model, condensed_programme(condensed, ledger), options);
-    std::optional<CertifiedSolution> end = grown(set, condensed, solver, options, ledger);
+    const VectorXd as_they_are = VectorXd::Zero(condensed.problem.free_gap.size());
+    WorkingSet set{model, condensed_programme(condensed, ledger), as_they_are, options.start};
+    set.known = known_matrices(model.programme, {});
+    std::optional<CertifiedSolution> end = grown(set, condensed.factor, solver, options, true, ledger);
     if (!end) return end;
     end->certificate = certify(model.programme, end->solution, model.law, &set.known);
     return end->certificate.holds() ? std::move(end) : std::nullopt;
   } catch (const std::invalid_argument&) {
     return std::nullopt;  // numbers that no unit can take: the problem of all pairs says which
+  }
+}
+
+std::optional<ContactState> working_set_state(const Model& model, const Condensed& condensed,
+                                              const VectorXd& opens, const Solver& solver,
+                                              const SolverOptions& options) {
+  try {
+    Ledger unseen;
+    WorkingSet set{model, condensed_programme(condensed, unseen), opens, options.start};
+    std::optional<CertifiedSolution> end = grown(set, condensed.factor, solver, options, false, unseen);
+    if (!end) return std::nullopt;
+    return std::move(end->state);
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
   }
 }
 

@@ -11,22 +11,27 @@ namespace signorini {
 
 /// Whether a working set is worth trying, by counts alone.
 ///
-/// Chapter 21 has the measure: m pairs whose m^3 exceeds three times the operations of the factor cost more than the factor
-/// does, if they are dense. A compliance of less than 256 rows is half a megabyte, which stays in the cache of a processor:
-/// leaving rows out of it saves nothing that could be measured. Pairs with friction, rigid motions, equations, load steps and
+/// Chapter 21 has the measure: m rows whose m^3 exceeds three times the operations of the factor cost more than the factor
+/// does, if they are dense. With friction, where a pair has two rows and few are tried first, half of that is worth saving.
+/// A compliance of less than 256 rows is half a megabyte, which stays in the cache of a processor:
+/// leaving rows out of it saves nothing that could be measured. Rigid motions, equations, load steps and
 /// bodies that move look at the compliance of all pairs: their proofs speak of it, or the next load does.
 /// \param plan        of the scene, or its model
-/// \param pairs       n_c of the largest system, see largest_of(): pairs of two systems share no dense matrix
+/// \param rows        gaps and slips of the largest system, see largest_of(): those of two systems share no dense matrix
 /// \param operations  of the factor of K
 /// \return whether it is
-[[nodiscard]] bool working_set_pays(const Plan& plan, Eigen::Index pairs, double operations);
+[[nodiscard]] bool working_set_pays(const Plan& plan, Eigen::Index rows, double operations);
 
 /// Solves a model whose compliance was left out. The set begins with the pairs that overlap or touch without contact forces;
-/// of more than the factor pays for, with every second, third, ... of them: a load may make all pairs overlap where few will
-/// close. What these do is not refined, as long as it says who else may close. certified_solve() of the set alone gives forces
-/// and displacements. Pairs outside that do not stay open there come in
-/// with neighbours, twice as many in every round, and it is solved again from where it stood. What the last set
-/// found is then a claim for all pairs, with no force on the others, and the certificate looks at all of it.
+/// where these are many, with every second, third, ... of them: a load may make all pairs overlap where few will
+/// close. Those of them that end up open leave. Pairs outside that do not stay open come in
+/// with neighbours, twice as many in every round, and it is solved again from where it stood. No round is refined until nobody enters:
+/// then certified_solve() of the set gives forces and displacements. They are a claim for all pairs, with no force on the others, and
+/// the certificate looks at all of it.
+///
+/// With friction there is one solution if a matrix of all pairs says so, see uniqueness(). Where that of the set does not, that of all
+/// pairs would not, and nothing is lost. Where it does, or is in doubt, all pairs are condensed. Other solutions are looked for among the
+/// pairs of the set.
 /// \param model      from build(), see working_set_pays()
 /// \param condensed  of it, without its compliance
 /// \param solver     a member that takes such problems
@@ -39,5 +44,18 @@ namespace signorini {
                                                                     const Solver& solver,
                                                                     const SolverOptions& options,
                                                                     Ledger& ledger);
+
+/// The same of gaps that are others, and not refined: what pairs would do then.
+/// \param model      from build()
+/// \param condensed  of it, without its compliance
+/// \param opens      `n_c` by how much gaps are larger than in the model [length]
+/// \param solver     a member that takes such problems
+/// \param options    handed to it; the set begins with the pairs that its `start` closes
+/// \return of all pairs; nothing as above
+[[nodiscard]] std::optional<ContactState> working_set_state(const Model& model,
+                                                            const Condensed& condensed,
+                                                            const Eigen::VectorXd& opens,
+                                                            const Solver& solver,
+                                                            const SolverOptions& options);
 
 }  // namespace signorini

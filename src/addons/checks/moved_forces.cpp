@@ -1,7 +1,6 @@
 #include "addons/checks/moved_forces.hpp"
 
 #include <map>
-#include <optional>
 #include <utility>
 
 #include "addons/certified/many_bodies.hpp"
@@ -57,17 +56,6 @@ ContactState solved(const QuadraticProgramme& programme, const FrictionLaw& law,
   return none;
 }
 
-/// The same where the compliance was left out: only pairs that may close there are condensed.
-std::optional<CertifiedSolution> solved_by_few(Model model, Condensed condensed, const VectorXd& free_gap,
-                                               const ContactState& contact) {
-  model.programme.initial_gap += free_gap - condensed.problem.free_gap;
-  condensed.problem.free_gap = free_gap;
-  SolverOptions options;
-  options.start = contact.contact_status;
-  Ledger unseen;
-  return working_set_solution(model, condensed, primal_dual_active_set(), options, unseen);
-}
-
 /// Whether the model was solved by its entries: the compliance of what is asked now is as needless.
 bool by_entries(const Model& model, const Condensed& condensed) {
   return !is_complete(condensed) && solved_whole(model);
@@ -106,8 +94,13 @@ ContactState forces_nearby(const Model& model, const Condensed& condensed,
   }
   VectorXd free_gap = condensed.problem.free_gap + opens;
   open_far(opens, displacement, free_gap);
-  if (!is_complete(condensed))
-    if (auto few = solved_by_few(model, condensed, free_gap, contact)) return std::move(few->state);
+  if (!is_complete(condensed)) {
+    SolverOptions options;
+    options.start = contact.contact_status;
+    const VectorXd more = free_gap - condensed.problem.free_gap;
+    if (auto few = working_set_state(model, condensed, more, primal_dual_active_set(), options))
+      return std::move(*few);
+  }
   Ledger unseen;
   ContactProblem problem = completed(model, condensed, unseen).problem;
   problem.free_gap = free_gap;
