@@ -169,6 +169,32 @@ TEST_CASE("all probes are one table, empty where a probe reads nothing", "[probe
 }
 
 // Closed form: the arc length of the parabola y = x^2 from 0 to 1 is sqrt(5)/2 + asinh(2)/4.
+TEST_CASE("a line through a hole has values where the body is, and none in the hole", "[probes]") {
+  // A ring between 1 and 2, held outside, under pressure inside; three points are in the hole, one is beyond the ring.
+  const SceneFile file = parse_scene(
+      "[[body]]\nname = \"ring\"\nmaterial = { youngs_modulus = 1, poisson_ratio = 0 }\n"
+      "mesh = { kind = \"ring\", inner_radius = 1, outer_radius = 2, cells = [64, 4] }\n"
+      "fixed = \"outer\"\npressure = { inner = 1 }\n"
+      "[[probe]]\nfrom = [-1.5, 0]\nto = [2.5, 0]\npoints = 9\n",
+      "name", ".");
+  CHECK(file.probes[0].outside == std::vector<Eigen::Index>{2, 3, 4, 8});
+  const SolvedScene run = solved(file.scene, "ring");
+  const auto columns = probed(run.model, run.solution, file.probes).front();
+  const Eigen::VectorXd moved = column(columns, "displacement_x");
+  const Eigen::VectorXd mises = column(columns, "von_mises");
+  CHECK(column(columns, "x").isApprox(Eigen::VectorXd::LinSpaced(9, -1.5, 2.5)));
+  CHECK(column(columns, "distance").isApprox(Eigen::VectorXd::LinSpaced(9, 0, 4)));
+  for (const Eigen::Index row : {2, 3, 4, 8}) {
+    CHECK(std::isnan(moved(row)));
+    CHECK(std::isnan(mises(row)));
+  }
+  CHECK(moved(1) < 0);
+  CHECK(moved(5) == Approx(-moved(1)));
+  CHECK(moved(6) == Approx(-moved(0)));
+  CHECK(moved(7) == 0);
+  for (const Eigen::Index row : {0, 1, 5, 6, 7}) CHECK(mises(row) > 0);
+}
+
 TEST_CASE("the length of a curved side is that of its parabola", "[probes][closed-form]") {
   Mesh mesh = signorini::block("body", {0, 0}, {1, 2}, 1, 1, MeshOrder::Quadratic);
   for (Index node = 0; node < mesh.n_nodes(); ++node)
@@ -193,6 +219,7 @@ TEST_CASE("a probe that says nothing, too much or a place that is not there is r
   CHECK_THAT(told("[[probe]]\nat = [4.000001, 1]\n"),
              ContainsSubstring("the point (4.000001, 1) is not in"));
   CHECK_THAT(told("[[probe]]\nat = [40, 1]\n"), ContainsSubstring("is not in 'block'"));
+  CHECK_THAT(told("[[probe]]\nfrom = [5, 0]\nto = [5, 1]\n"), ContainsSubstring("the point (5, 0) is not in 'block'"));
   CHECK_THAT(told("[[probe]]\nname = \"a\"\n"), ContainsSubstring("expected one place, got 0"));
   CHECK_THAT(told("[[probe]]\nat = [1, 1]\nof = \"left\"\n"),
              ContainsSubstring("expected one place, got 2"));

@@ -36,4 +36,12 @@ struct PlaceInMesh {
 [[nodiscard]] PlaceInMesh place_within(const Mesh& mesh, const Element& element,
                                        const Eigen::Vector2d& point);
 
+/// Points that a body does not have, as a line through a hole has some.
+/// \param mesh     of a body
+/// \param element  of its cells
+/// \param points   `n x 2` [length]
+/// \return rows of those that place_within() refuses, in increasing order
+[[nodiscard]] std::vector<Eigen::Index> points_outside(const Mesh& mesh, const Element& element,
+                                                       const NodeArray& points);
+
 }  // namespace signorini

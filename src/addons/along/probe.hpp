@@ -5,6 +5,7 @@
 /// they are the same points of the material.
 #pragma once
 #include <string>
+#include <vector>
 
 #include "signorini/fem/mesh.hpp"
 
@@ -16,6 +17,7 @@ struct Probe {
   std::string body;        ///< name of a body
   NodeArray points = {};   ///< `n x 2` places in it [length]
   bool line = false;       ///< whether the points stand on a line, from the first one on
+  std::vector<Eigen::Index> outside = {};  ///< rows of points on it that the body does not have, as in a hole: no value
   std::string along = {};  ///< a boundary of it, node by node in walking order
   std::string of = {};     ///< a boundary of it: what acts on it in sum
 };

@@ -28,7 +28,7 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 struct Place {
   Vector2d at;
   double distance;
-  std::vector<Index> nodes;  // of the body
+  std::vector<Index> nodes;  // of the body; none where it has no place
   VectorXd share;
 };
 
@@ -63,7 +63,8 @@ class Reader {
     if (probe.along.empty()) {
       for (Index k = 0; k < probe.points.rows(); ++k) {
         const Vector2d at = probe.points.row(k);
-        PlaceInMesh place = place_in_mesh(mesh, body().element, at);
+        const bool outside = std::binary_search(probe.outside.begin(), probe.outside.end(), k);
+        PlaceInMesh place = outside ? PlaceInMesh{} : place_in_mesh(mesh, body().element, at);
         all.push_back({at, (probe.points.row(k) - probe.points.row(0)).norm(),
                        std::move(place.nodes), std::move(place.share)});
       }
@@ -79,10 +80,11 @@ class Reader {
   template <typename Values>
   [[nodiscard]] Eigen::MatrixXd between(const std::vector<Place>& places,
                                         const Values& values) const {
-    Eigen::MatrixXd all(places.size(), values.cols());
+    Eigen::MatrixXd all = Eigen::MatrixXd::Constant(static_cast<Index>(places.size()), values.cols(), none);
     for (std::size_t k = 0; k < places.size(); ++k)
-      all.row(static_cast<Index>(k)) =
-          places[k].share.transpose() * values(places[k].nodes, Eigen::all);
+      if (!places[k].nodes.empty())
+        all.row(static_cast<Index>(k)) =
+            places[k].share.transpose() * values(places[k].nodes, Eigen::all);
     return all;
   }
 

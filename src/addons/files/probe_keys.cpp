@@ -66,9 +66,10 @@ void read_probe(const Value& value, SceneDraft& scene) {
     check_mesh(body.mesh);
     return element_for(body.mesh, body.element);
   });
-  for (Eigen::Index k = 0; k < probe.points.rows(); ++k)
+  probe.outside = points_outside(body.mesh, element, probe.points);
+  if (!probe.outside.empty() && (!probe.line || probe.outside.size() == static_cast<std::size_t>(probe.points.rows())))
     value.explain([&] {
-      static_cast<void>(place_within(body.mesh, element, probe.points.row(k).transpose()));
+      static_cast<void>(place_within(body.mesh, element, probe.points.row(0).transpose()));
     });
   probes.push_back(std::move(probe));
 }
@@ -83,7 +84,8 @@ const Keys<ProbeDraft>& probe_keys() {
        [](const Value& value, ProbeDraft& draft) { take(value, draft.body); }},
       key("at", &ProbeDraft::at, "length",
           "a point, before loading: displacement and stress there"),
-      key("from", &ProbeDraft::from, "length", "begin of a line: the same at points along it"),
+      key("from", &ProbeDraft::from, "length",
+          "begin of a line: the same at points along it; no value where the body has none, as in a hole"),
       key("to", &ProbeDraft::to, "length", "end of the line"),
       key("points", &ProbeDraft::points, "", "how many on the line, at equal distances",
           Bound::Positive),
