@@ -380,3 +380,58 @@ TEST_CASE("a rigid side that is said twice, once without its motion, repeats its
   scene.bonds = std::make_shared<const Bonds>(bonds);
   CHECK(problem_message([&] { static_cast<void>(solved(scene, "otherwise")); }).find("contradict") != std::string::npos);
 }
+
+// Closed form: without Poisson's effect a cylinder of radius R and height H gets shorter by F H / (pi R^2 E), uniformly.
+TEST_CASE("in axial symmetry a rigid side is pressed along the axis by a force all round", "[rigid-sides][closed-form]") {
+  const bool hollow = GENERATE(false, true);
+  CAPTURE(hollow);
+  const double inner = hollow ? 1 : 0;
+  Scene scene = pressed_block(top(), 0, MeshOrder::Quadratic);
+  Body& body = scene.bodies[0];
+  body.mesh = block("block", {inner, 0}, {3, 2}, 4, 3, MeshOrder::Quadratic);
+  body.material.state = PlaneState::Axial;
+  body.supports = {symmetric("bottom")};
+  RigidSide pressed = top();
+  pressed.force = {0, -50};
+  Bonds bonds;
+  bonds.rigid = {pressed};
+  scene.bonds = std::make_shared<const Bonds>(bonds);
+  const SolvedScene run = solved(scene, "the cylinder");
+  const double area = pi * ((inner + 3) * (inner + 3) - inner * inner);
+  const NodeArray& u = run.solution.displacements[0];
+  for (const Index node : boundary_nodes(run.model.bodies[0].mesh, "top")) {
+    CHECK(u(node, 1) == Approx(-50 * 2 / (area * 1000)).epsilon(1e-10));
+    CHECK(std::abs(u(node, 0)) <= 1e-12 * std::abs(u(node, 1)));
+  }
+  CHECK(bond_forces(run.model, run.solution).front().force.y() == Approx(-50).epsilon(1e-12));
+}
+
+TEST_CASE("in axial symmetry a rigid side keeps its radii, and what moves it by y is needed to drive it there", "[rigid-sides]") {
+  Scene scene = pressed_block(top(), 0.3, MeshOrder::Linear);
+  scene.bodies[0].mesh = block("block", {0, 0}, {3, 2}, 6, 4);
+  scene.bodies[0].material.state = PlaneState::Axial;
+  const auto with = [&](const RigidSide& rigid) {
+    Bonds bonds;
+    bonds.rigid = {rigid};
+    Scene one = scene;
+    one.bonds = std::make_shared<const Bonds>(bonds);
+    return solved(one, "the rigid side");
+  };
+  RigidSide moved = top();
+  moved.y = -0.01;
+  const SolvedScene first = with(moved);
+  Scene given = scene;
+  given.bonds = nullptr;
+  given.bodies[0].supports.push_back({"top", true, true, [](const Vector2d&) { return Vector2d(0, -0.01); }});
+  const NodeArray u = solved(given, "the given one").solution.displacements[0];
+  CHECK((first.solution.displacements[0] - u).cwiseAbs().maxCoeff() <= 1e-12 * u.cwiseAbs().maxCoeff());
+  const Vector2d needed = bond_forces(first.model, first.solution).front().force;
+  CHECK(needed.x() == 0);
+  CHECK(needed.y() < 0);
+  RigidSide driven = top();
+  driven.force = needed;
+  CHECK((with(driven).solution.displacements[0] - u).cwiseAbs().maxCoeff() <= 1e-10 * u.cwiseAbs().maxCoeff());
+  RigidSide tilted = moved;
+  tilted.turn = 0.1;
+  CHECK(problem_message([&] { static_cast<void>(with(tilted)); }).find("along the axis alone: give y") != std::string::npos);
+}

@@ -58,7 +58,8 @@ struct RigidHistories {
   std::string moment = {};  ///< of RigidSide::moment
 };
 
-/// A side that moves as a rigid body: a shift and a turn, each prescribed, or driven by forces, or neither.
+/// A side that moves as a rigid body: a shift and a turn, each prescribed, or driven by forces, or neither. In axial symmetry it
+/// moves along the axis alone, keeps its radii, and the force is that all round.
 struct RigidSide {
   Side side;                                          ///< all its nodes
   Eigen::Vector2d centre = Eigen::Vector2d::Zero();   ///< point that x and y are of, and force acts on [length]

@@ -109,7 +109,7 @@ void add_one_sided(const Relation& relation, const std::string& name, const std:
                    const std::vector<Eigen::Index>& nodes, Plan& draft);
 
 /// Writes the equations of a rigid side. \param rigid  of the scene \param draft  knows bodies \param all  gets a bond and its rows
-/// \throws ProblemError for numbers that are not finite, and in axial symmetry
+/// \throws ProblemError for numbers that are not finite, and in axial symmetry for what is not along the axis
 void add_rigid(const RigidSide& rigid, Plan& draft, Equations& all);
 
 /// What histories are at a time, by their names.

@@ -144,7 +144,7 @@ const Keys<RigidDraft>& rigid_keys() {
       growing_key("x", &RigidSide::x, &RigidHistories::x, "length", "given displacement of the centre along x; free without it"),
       growing_key("y", &RigidSide::y, &RigidHistories::y, "length", "given displacement of the centre along y; free without it"),
       growing_key("turn", &RigidSide::turn, &RigidHistories::turn, "rad", "given turn, anticlockwise and small; free without it"),
-      growing_key("force", &RigidSide::force, &RigidHistories::force, "force", "on the centre"),
+      growing_key("force", &RigidSide::force, &RigidHistories::force, "force", "on the centre; in axial symmetry [0, F], all round"),
       growing_key("moment", &RigidSide::moment, &RigidHistories::moment, "force*length", "anticlockwise")};
   return keys;
 }
