@@ -5,6 +5,7 @@
 #include "addons/equations/equations.hpp"
 #include "addons/estimate/estimate.hpp"
 #include "addons/steps/steps.hpp"
+#include "addons/steps/steps_limit.hpp"
 #include "catch_compat.hpp"
 #include "meshes/block.hpp"
 #include "signorini/scene/readings.hpp"
@@ -434,4 +435,22 @@ TEST_CASE("in axial symmetry a rigid side keeps its radii, and what moves it by 
   RigidSide tilted = moved;
   tilted.turn = 0.1;
   CHECK(problem_message([&] { static_cast<void>(with(tilted)); }).find("along the axis alone: give y") != std::string::npos);
+}
+
+// A foot is pressed into the ground by an interference, which is there from the beginning: 400 hold 0.3 * 400 along it.
+TEST_CASE("the force of a rigid side that is held is found as a share of it", "[rigid-sides][limit]") {
+  RigidSide dragged = top();
+  dragged.y = 0;
+  dragged.turn = 0;
+  dragged.force = {160, 0};
+  Scene scene = pressed_block(dragged, 0, MeshOrder::Linear);
+  scene.bodies[0].mesh = block("block", {0, 0}, {4, 1}, 8, 2);
+  scene.bodies[0].supports.clear();
+  scene.contacts = {{{"bottom"}, half_plane({0, 0}, {0, 1})}};
+  scene.contacts[0].friction = Friction{0.3};
+  scene.contacts[0].interference = 0.1;
+  const Solution solution = solve_to_limit(scene);
+  CHECK(solution.contact.report.status != SolveStatus::Solved);
+  REQUIRE(solution.limit.has_value());
+  CHECK(*solution.limit == Approx(0.75).epsilon(1e-9));
 }

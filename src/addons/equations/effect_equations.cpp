@@ -169,6 +169,16 @@ void follow_histories(const Scene& scene, const Equations& all, Plan& draft) {
   }
 }
 
+/// Lets what equations give and what drives rigid sides grow. A bound that a relation may reach stays, as gaps do.
+void grow_equations(Scene& scene, const std::string& history) {
+  if (!scene.bonds) return;
+  Bonds bonds = *scene.bonds;
+  for (Relation& relation : bonds.relations)
+    if (relation.holds == Holds::Equal) relation.history = history;
+  for (RigidSide& rigid : bonds.rigid) rigid.histories = {history, history, history, history, history};
+  scene.bonds = std::make_shared<const Bonds>(std::move(bonds));
+}
+
 void declare_equations(const Scene& scene, Plan& draft) {
   const auto all = std::make_shared<Equations>();
   for (const Tie& tie : scene.bonds->ties) {
@@ -212,7 +222,7 @@ void register_equations() {
                 return bonds != nullptr && !(bonds->ties.empty() && bonds->two_sided.empty() &&
                                              bonds->relations.empty() && bonds->rigid.empty());
               },
-              declare_equations, add_equations},
+              declare_equations, add_equations, false, grow_equations},
              "rigid motions");
   set_solve_around(solve_two_sided);
   add_check({"equations", nullptr, nullptr, nullptr, nullptr, check_bonds});

@@ -8,6 +8,7 @@
 #include "signorini/core/index.hpp"
 #include "signorini/problem/active_set_system.hpp"
 #include "signorini/scene/bodies.hpp"
+#include "signorini/scene/effects.hpp"
 #include "signorini/scene/motions.hpp"
 #include "signorini/scene/rigid_modes.hpp"
 #include "signorini/scene/ways.hpp"
@@ -29,6 +30,8 @@ Scene grown(Scene scene) {
   const History load = proportional("load");
   for (Body& body : scene.bodies)
     each_history(body, [&](std::string& history) { history = load.name; });
+  for (const Effect& effect : effects())
+    if (effect.grow != nullptr) effect.grow(scene, load.name);
   scene.path = Path{{1}, {load}};
   return scene;
 }

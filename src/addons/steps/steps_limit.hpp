@@ -32,8 +32,8 @@ namespace signorini {
 [[nodiscard]] Solution solve_to_limit(const Scene& scene);
 
 /// Solves a scene, and finds out how much of its loads one with friction holds, if it was not solved and no proof says
-/// why: with the loads, temperatures and given displacements grown from nothing in proportion, by solve_steps(). Gaps
-/// and interferences are there from the beginning. A scene that is solved costs nothing more.
+/// why: with the loads, temperatures and given displacements grown from nothing in proportion, also those of relations and rigid
+/// sides, by solve_steps(). Gaps, interferences and bounds are there from the beginning. A scene that is solved costs nothing more.
 /// \param scene      without load steps
 /// \param model      from build() of it
 /// \param condensed  from condense() of that

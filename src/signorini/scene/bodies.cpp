@@ -51,7 +51,7 @@ Surface surface(const std::vector<BodyModel>& bodies, const Side& side) {
 
 // Nodes of all bodies are numbered from 0, so their number is where the last body ends.
 Index count_nodes(const std::vector<BodyModel>& bodies) {
-  return bodies.back().first_node + bodies.back().mesh.n_nodes();
+  return bodies.empty() ? 0 : bodies.back().first_node + bodies.back().mesh.n_nodes();
 }
 
 // Bodies are few, so we go through them from the last one to the first.

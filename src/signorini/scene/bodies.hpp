@@ -32,7 +32,7 @@ void add_nodal_forces(const BodyModel& body, const NodeArray& forces, Eigen::Vec
 /// \throws ProblemError as body_index(), or if the body has no such boundary
 [[nodiscard]] Surface surface(const std::vector<BodyModel>& bodies, const Side& side);
 
-/// \param bodies  one or several
+/// \param bodies  none, one or several
 /// \return number of their nodes
 [[nodiscard]] Eigen::Index count_nodes(const std::vector<BodyModel>& bodies);
 

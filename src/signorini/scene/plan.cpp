@@ -111,10 +111,9 @@ void plan_body(const Body& body, Plan& plan) {
   if (const Index given = 2 * body.mesh.n_nodes() - count; given > 0)
     plan.on.push_back(text("supports of '", name, "': ", given, " displacements given"));
   note_on_body(body, element, plan.notes);
-  const bool first = plan.bodies.empty();
-  const Index first_node = first ? 0 : count_nodes(plan.bodies);
+  const Index first_node = count_nodes(plan.bodies);
   const Index first_unknown =
-      first ? 0 : plan.bodies.back().first_unknown + plan.bodies.back().unknowns.count;
+      plan.bodies.empty() ? 0 : plan.bodies.back().first_unknown + plan.bodies.back().unknowns.count;
   plan.bodies.push_back({body.mesh, element, body.material, body.loads, std::move(unknowns),
                          first_node, first_unknown});
   plan.bodies.back().pieces = pieces(body.mesh);
