@@ -29,6 +29,13 @@ Scene cantilever(Index cells_y) {
   return signorini_test::cantilever("q4_incompatible", 10 * cells_y, cells_y);
 }
 
+/// The same on a rough plane.
+Scene rough(Index cells_y) {
+  Scene scene = cantilever(cells_y);
+  scene.contacts[0].friction = Friction{0.3, 0};
+  return scene;
+}
+
 /// Scenes that differ in size.
 struct Family {
   std::string name;
@@ -44,10 +51,12 @@ std::vector<Family> families(bool full) {
     return {
         {"block", square, {12, 20}},
         {"cantilever", cantilever, {3, 5}},
+        {"with friction", rough, {3, 5}},
         {"hertz", [](Index part) { return hertz(8 * part, 6 * part, 8 * part - 1); }, {1, 2}},
         {"few close", [](Index cells) { return pressed_block(99, cells, 0.4, 0.001); }, {2, 4}}};
   return {{"block", square, {99, 199, 299, 706}},
           {"cantilever", cantilever, {31, 63, 94, 223}},
+          {"with friction", rough, {31, 63, 94, 223}},
           {"hertz", cylinder, {1, 2, 3, 7}},
           {"few close", few_close, {4, 19, 44, 249}}};
 }

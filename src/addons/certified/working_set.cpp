@@ -179,18 +179,25 @@ bool WorkingSet::tells_of_others(const CertifiedSolution& end) const {
   return !model.law.pair.empty() && (pairs.empty() || end.state.uniqueness != Uniqueness::Unknown);
 }
 
-/// The pairs to begin with: those that are said to be closed, or else those that overlap. Of these every so many,
-/// where that is worth a trial.
-std::vector<Index> first_pairs(const WorkingSet& set, double operations) {
+/// The pairs to begin with.
+struct FirstPairs {
+  std::vector<Index> pairs;
+  bool sample;  ///< whether they are every second, third, ... of those that may close
+};
+
+/// Those that are said to be closed, or else those that overlap, or a sample of them where that is worth a trial.
+FirstPairs first_pairs(const WorkingSet& set, double operations) {
   std::vector<Index> closed;
   for (std::size_t pair = 0; pair < set.statuses.size(); ++pair)
     if (set.statuses[pair] != ContactStatus::Open) closed.push_back(static_cast<Index>(pair));
-  if (!closed.empty()) return closed;
+  if (!closed.empty()) return {closed, false};
   const std::vector<Index> overlapping = set.entering(set.untouched());
-  return thinned(overlapping, stride_of(set.model.law, static_cast<Index>(overlapping.size()), operations));
+  const Index stride = stride_of(set.model.law, static_cast<Index>(overlapping.size()), operations);
+  return {thinned(overlapping, stride), stride > 1};
 }
 
-/// Round after round: each shows who enters, and of the first one only what closed stays.
+/// Round after round: each shows who enters. A sample is not refined, and of it only what closed stays. With friction no round is before
+/// nobody enters: a proof that sends to all pairs is seen first.
 /// \param refined  whether the last one is solved once more, to the end
 /// \return the last one, if it was solved and was worth its rounds
 std::optional<CertifiedSolution> grown(WorkingSet& set, const Factor& factor, const Solver& solver,
@@ -198,11 +205,11 @@ std::optional<CertifiedSolution> grown(WorkingSet& set, const Factor& factor, co
   const auto dense = [](std::size_t m) { return std::pow(static_cast<double>(m), 3); };
   CertifiedSolution end;
   Report report;
-  std::vector<Index> some = first_pairs(set, factor.operations());
-  bool trial = true;
+  auto [some, sample] = first_pairs(set, factor.operations());
+  bool trial = sample || !refined;
   double made = 0;
   for (Index reach = 0; reach == 0 || !some.empty(); reach = std::max<Index>(1, 2 * reach)) {
-    if (reach == 1) set.keep_closed();
+    if (sample && reach == 1) set.keep_closed();
     set.take(some, reach);
     made += dense(set.pairs.size());
     if (2 * made > dense(set.in.size())) return std::nullopt;
@@ -215,6 +222,7 @@ std::optional<CertifiedSolution> grown(WorkingSet& set, const Factor& factor, co
       some = set.entering(end);
       if (refined && some.empty() && set.tells_of_others(end)) return std::nullopt;
     } while (refined && some.empty() && std::exchange(trial, false));
+    trial = trial && (!refined || !set.model.law.pair.empty());
   }
   end.state.report = std::move(report);
   return end;

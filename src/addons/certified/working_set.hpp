@@ -25,9 +25,9 @@ namespace signorini {
 /// Solves a model whose compliance was left out. The set begins with the pairs that overlap or touch without contact forces;
 /// where these are many, with every second, third, ... of them: a load may make all pairs overlap where few will
 /// close. Those of them that end up open leave. Pairs outside that do not stay open come in
-/// with neighbours, twice as many in every round, and it is solved again from where it stood. No round is refined until nobody enters:
-/// then certified_solve() of the set gives forces and displacements. They are a claim for all pairs, with no force on the others, and
-/// the certificate looks at all of it.
+/// with neighbours, twice as many in every round, and it is solved again from where it stood. certified_solve() of the set gives
+/// forces and displacements, of a sample never and with friction when nobody enters any more. They are a claim for all pairs, with no
+/// force on the others, and the certificate looks at all of it.
 ///
 /// With friction there is one solution if a matrix of all pairs says so, see uniqueness(). Where that of the set does not, that of all
 /// pairs would not, and nothing is lost. Where it does, or is in doubt, all pairs are condensed. Other solutions are looked for among the
