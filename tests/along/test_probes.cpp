@@ -168,7 +168,6 @@ TEST_CASE("all probes are one table, empty where a probe reads nothing", "[probe
   CHECK(csv_lines(table) == "tip,4,1,0,0,0,0,0,0,0,,,\nprobe 2,,,0,0,,,,,,0,0,0\n");
 }
 
-// Closed form: the arc length of the parabola y = x^2 from 0 to 1 is sqrt(5)/2 + asinh(2)/4.
 TEST_CASE("a line through a hole has values where the body is, and none in the hole", "[probes]") {
   // A ring between 1 and 2, held outside, under pressure inside; three points are in the hole, one is beyond the ring.
   const SceneFile file = parse_scene(
@@ -195,6 +194,7 @@ TEST_CASE("a line through a hole has values where the body is, and none in the h
   for (const Eigen::Index row : {0, 1, 5, 6, 7}) CHECK(mises(row) > 0);
 }
 
+// Closed form: the arc length of the parabola y = x^2 from 0 to 1 is sqrt(5)/2 + asinh(2)/4.
 TEST_CASE("the length of a curved side is that of its parabola", "[probes][closed-form]") {
   Mesh mesh = signorini::block("body", {0, 0}, {1, 2}, 1, 1, MeshOrder::Quadratic);
   for (Index node = 0; node < mesh.n_nodes(); ++node)

@@ -261,7 +261,7 @@ TEST_CASE("random strips with friction over waves: the same as of all pairs", "[
     both.check_equal();
     // Where no pair may close without contact forces, no set says whether there is one solution.
     CHECK(both.all_condensed() == (both.condensed() == 0));
-    CHECK(both.condensed() < both.rows());
+    CHECK(both.condensed() < both.pairs());
   }
 }
 
@@ -276,7 +276,30 @@ TEST_CASE("with friction a few pairs of all that overlap are tried, and no round
   CHECK_FALSE(both.all_condensed());
   CHECK(both.rounds() > 1);
   CHECK(both.refined_sets() == 1);
-  CHECK(6 * both.condensed() < both.rows());
+  CHECK(6 * both.condensed() < both.pairs());
+}
+
+TEST_CASE("all pairs are asked for a proof where those of the set are smooth", "[working_set]") {
+  // The strip is pressed onto a smooth plane, and its upper side stays off a rough one.
+  Scene scene = strip(0.4);
+  scene.bodies[0].supports = {fixed("left")};
+  scene.bodies[0].loads.edges.push_back({"top", 4e-9, {}});
+  scene.contacts[0].target = half_plane({0, -1}, {0, 1});
+  scene.contacts.push_back({{"top"}, half_plane({0, 3}, {0, -1})});
+  scene.contacts.back().friction = Friction{1e-5};
+  const Both both(scene);
+  both.check_equal();
+  CHECK(both.closed() > 0);
+  CHECK(both.all_condensed());
+}
+
+TEST_CASE("statuses of a solution with friction begin a set that is refined once", "[working_set]") {
+  const Both both(rubbed(pressed(0.4, 1e-3), 0.3));
+  SolverOptions options;
+  options.start = both.all.contact.contact_status;
+  const Solution again = solve(both.model, both.few, both.model.solver, Ledger(), options);
+  CHECK(again.contact.force == both.all.contact.force);
+  CHECK(again.ledger.counted("refinement", "sets") == 1);
 }
 
 TEST_CASE("all pairs are condensed where friction may be shown to have one solution", "[working_set]") {

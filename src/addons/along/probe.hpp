@@ -17,7 +17,9 @@ struct Probe {
   std::string body;        ///< name of a body
   NodeArray points = {};   ///< `n x 2` places in it [length]
   bool line = false;       ///< whether the points stand on a line, from the first one on
-  std::vector<Eigen::Index> outside = {};  ///< rows of points on it that the body does not have, as in a hole: no value
+  /// Rows of points on the line that the body does not have, as in a hole, in increasing order: they have no values. Readers of scene
+  /// files fill it; any other point that is far outside is refused.
+  std::vector<Eigen::Index> outside = {};
   std::string along = {};  ///< a boundary of it, node by node in walking order
   std::string of = {};     ///< a boundary of it: what acts on it in sum
 };

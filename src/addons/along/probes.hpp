@@ -25,7 +25,7 @@ namespace signorini {
 /// At points and along a boundary: `distance` from the first point, along a boundary its length up to there; `x`, `y` before loading;
 /// `displacement_x`, `displacement_y` [length]; `stress_xx`, `stress_yy`, `stress_xy`, `stress_zz`, `von_mises` [force/length^2], tension
 /// positive; with contact `contact_gap`, `contact_pressure` and, with friction, `contact_shear_traction`, as PairColumn has them, where
-/// all nodes that share the place are nodes of a source. Along a boundary also the forces on its nodes, of contact on either side,
+/// all nodes that share the place are nodes of a source. Points of Probe::outside have but `distance`, `x` and `y`. Along a boundary also the forces on its nodes, of contact on either side,
 /// and of supports and springs if the body has any.
 ///
 /// Of a boundary: `displacement_x`, `displacement_y`, the mean along it; force and moment about the origin of contact, supports and

@@ -27,9 +27,9 @@ constexpr Index fewest_pairs = 256;
 /// How many pairs, if they are dense, cost as much as the factor of K, see chapter 21.
 Index paid_for(double operations) { return static_cast<Index>(std::cbrt(3 * operations)); }
 
-/// Every how many of n pairs that overlap are tried first: a load may make all pairs overlap where few will close. No more
-/// are tried than are paid for. With friction the rows of a pair cost more, and the stride is a balance: the trial has
-/// n / stride pairs, and misses the ends of a zone of contact, two by two, by strides. Their sum is least at half of the root of n.
+/// Every how many of n pairs that overlap are tried first: a load may make all pairs overlap where few will close. Without friction
+/// no more are tried than are paid for. With friction a pair costs more. A sample of every s-th has n / s pairs, and each of the two ends
+/// of a zone of contact is known to a stride before and a stride behind it, 4 s pairs in all: the sum is least at s = sqrt(n) / 2.
 Index stride_of(const FrictionLaw& law, Index n, double operations) {
   if (!law.pair.empty()) return 1 + static_cast<Index>(std::sqrt(static_cast<double>(n)) / 2);
   return 1 + n / std::max<Index>(paid_for(operations), 1);
@@ -53,7 +53,7 @@ struct WorkingSet {
   SystemParts parts = {};          ///< their rows: gaps, then slips
   NodalRows A = {};                ///< these rows
   ContactProblem problem = {};     ///< of the set, condensed
-  KnownMatrices known = {};        ///< of K, whatever rows are in the set
+  KnownMatrices known = {};        ///< of K and all rows of A
 
   [[nodiscard]] VectorXd rounding(const CertifiedSolution& end) const;
   [[nodiscard]] std::vector<Index> entering(const CertifiedSolution& end) const;
@@ -65,12 +65,15 @@ struct WorkingSet {
   CertifiedSolution tried(const Solver& solver, const SolverOptions& options, Ledger& ledger) const;
   CertifiedSolution solved(const Solver& solver, const SolverOptions& options, Ledger& ledger) const;
   void widen(CertifiedSolution& end);
-  [[nodiscard]] bool tells_of_others(const CertifiedSolution& end) const;
+  [[nodiscard]] bool asks_all_pairs(const CertifiedSolution& end) const;
 };
 
 /// What gaps are known to, as in check_signs().
 VectorXd WorkingSet::rounding(const CertifiedSolution& end) const {
-  return 2 * static_cast<double>(end.state.active().size() + 1) * movement_rounding(model.programme, end.solution);
+  VectorXd least =
+      2 * static_cast<double>(end.state.active().size() + 1) * movement_rounding(model.programme, end.solution);
+  least.head(opens.size()) += epsilon * opens.cwiseAbs();
+  return least;
 }
 
 /// The pairs outside that overlap, or may by rounding.
@@ -111,7 +114,7 @@ void WorkingSet::condense(const Factor& factor, Ledger& ledger) {
   problem.free_gap = whole.problem.free_gap(pairs) + opens(pairs);
   problem.free_slip = whole.problem.free_slip(slips);
   problem.law = part_of(model.law, static_cast<Index>(in.size()), parts);
-  ledger.count("condensed pairs", A.rows());
+  ledger.count("condensed pairs", static_cast<long long>(pairs.size()));
   ledger.bytes(problem.compliance.size() * static_cast<long long>(sizeof(double)));
 }
 
@@ -167,16 +170,18 @@ void WorkingSet::widen(CertifiedSolution& end) {
   VectorXd gap = gaps(model.programme, end.solution);
   gap.head(opens.size()) += opens;
   fill_state(model.law, statuses, end.solution.force, gap, end.state);
+  end.state.system = {};  // it has the numbers of the set
   if (Index& pair = end.force_uncertainty.pair; pair >= 0) pair = pairs[at(pair)];
   const VectorXd least = rounding(end);
   for (Index pair = 0; pair < end.state.gap.size(); ++pair)
     if (!in[at(pair)] && gap(pair) < -least(pair)) statuses[at(pair)] = ContactStatus::Stick;
 }
 
-/// Whether all pairs may have a proof that there is one solution, or a doubt: what fails on some of them, see excludes_others(),
-/// fails on all, since a principal submatrix has less to lose.
-bool WorkingSet::tells_of_others(const CertifiedSolution& end) const {
-  return !model.law.pair.empty() && (pairs.empty() || end.state.uniqueness != Uniqueness::Unknown);
+/// Whether all pairs may have a proof that there is one solution where the set has one, or a doubt, or no slips to ask. What fails on
+/// the set fails on all pairs, see excludes_others(): with more slips C T^-1 C' takes more from G, their |T| is larger, and scales are
+/// of single rows.
+bool WorkingSet::asks_all_pairs(const CertifiedSolution& end) const {
+  return !model.law.pair.empty() && (problem.law.pair.empty() || end.state.uniqueness != Uniqueness::Unknown);
 }
 
 /// The pairs to begin with.
@@ -196,8 +201,8 @@ FirstPairs first_pairs(const WorkingSet& set, double operations) {
   return {thinned(overlapping, stride), stride > 1};
 }
 
-/// Round after round: each shows who enters. A sample is not refined, and of it only what closed stays. With friction no round is before
-/// nobody enters: a proof that sends to all pairs is seen first.
+/// Round after round: each shows who enters. A sample is not refined if somebody does, and only what closed of it stays. Nor is any
+/// round with friction: a proof that sends to all pairs is seen before.
 /// \param refined  whether the last one is solved once more, to the end
 /// \return the last one, if it was solved and was worth its rounds
 std::optional<CertifiedSolution> grown(WorkingSet& set, const Factor& factor, const Solver& solver,
@@ -206,7 +211,8 @@ std::optional<CertifiedSolution> grown(WorkingSet& set, const Factor& factor, co
   CertifiedSolution end;
   Report report;
   auto [some, sample] = first_pairs(set, factor.operations());
-  bool trial = sample || !refined;
+  const bool late = !refined || !set.model.law.pair.empty();
+  bool trial = sample || late;
   double made = 0;
   for (Index reach = 0; reach == 0 || !some.empty(); reach = std::max<Index>(1, 2 * reach)) {
     if (sample && reach == 1) set.keep_closed();
@@ -220,9 +226,9 @@ std::optional<CertifiedSolution> grown(WorkingSet& set, const Factor& factor, co
       if (report.status != SolveStatus::Solved) return std::nullopt;
       set.widen(end);
       some = set.entering(end);
-      if (refined && some.empty() && set.tells_of_others(end)) return std::nullopt;
+      if (refined && some.empty() && set.asks_all_pairs(end)) return std::nullopt;
     } while (refined && some.empty() && std::exchange(trial, false));
-    trial = trial && (!refined || !set.model.law.pair.empty());
+    trial = late;
   }
   end.state.report = std::move(report);
   return end;
@@ -244,7 +250,9 @@ std::optional<CertifiedSolution> working_set_solution(const Model& model,
   try {
     const VectorXd as_they_are = VectorXd::Zero(condensed.problem.free_gap.size());
     WorkingSet set{model, condensed_programme(condensed, ledger), as_they_are, options.start};
-    set.known = known_matrices(model.programme, {});
+    set.known = known_matrices(model.programme, model.law);
+    // Of systems that nothing connects one may have slips and the others none in the set: who asks for a proof is then unknown.
+    if (!model.law.pair.empty() && !set.known.connected) return std::nullopt;
     std::optional<CertifiedSolution> end = grown(set, condensed.factor, solver, options, true, ledger);
     if (!end) return end;
     end->certificate = certify(model.programme, end->solution, model.law, &set.known);
@@ -262,6 +270,8 @@ std::optional<ContactState> working_set_state(const Model& model, const Condense
     WorkingSet set{model, condensed_programme(condensed, unseen), opens, options.start};
     std::optional<CertifiedSolution> end = grown(set, condensed.factor, solver, options, false, unseen);
     if (!end) return std::nullopt;
+    end->state.uniqueness = Uniqueness::Unknown;  // of the set, not of all pairs
+    end->state.uniqueness_warning = {};
     return std::move(end->state);
   } catch (const std::invalid_argument&) {
     return std::nullopt;

@@ -97,7 +97,7 @@ ContactState forces_nearby(const Model& model, const Condensed& condensed,
   if (!is_complete(condensed)) {
     SolverOptions options;
     options.start = contact.contact_status;
-    const VectorXd more = free_gap - condensed.problem.free_gap;
+    const VectorXd more = opens.array().isInf().select(free_gap - condensed.problem.free_gap, opens);
     if (auto few = working_set_state(model, condensed, more, primal_dual_active_set(), options))
       return std::move(*few);
   }

@@ -57,13 +57,14 @@ class RigidMotion {
   bool axial_;
 };
 
-/// The rows that make the nodes of a side one ring that keeps its radii. What lies on the axis has no radial displacement.
+/// The rows that make the nodes of a side one ring that keeps its radii. Where the axis or a support lets no radius change, and of the
+/// first node along the axis, there is nothing to say.
 void add_ring_rows(const std::vector<Index>& nodes, const RigidMotion& motion, const Plan& draft,
                    std::vector<Equation>& rows) {
   for (const Index node : nodes)
     for (const int axis : {0, 1}) {
-      if (axis == 0 ? draft.unknowns.number(node, 0) < 0 && draft.unknowns.held(node, 0) == 0 : node == motion.first())
-        continue;
+      const bool stays = draft.unknowns.number(node, axis) < 0 && draft.unknowns.held(node, axis) == 0;
+      if ((axis == 0 && stays) || (axis == 1 && node == motion.first())) continue;
       Terms terms;
       add_to(terms, node, Vector2d::Unit(axis));
       if (axis == 1) motion.add_shift(place_of(draft, node), Vector2d::Unit(axis), -1, terms);

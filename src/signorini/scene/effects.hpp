@@ -33,7 +33,8 @@ struct Effect {
   /// Whether it writes rows of A: where bodies have moved to, such effects declare and add again, to a draft whose meshes
   /// stand there, see Plan::standing
   bool of_pairs = false;
-  /// Lets all that it gives or loads beside the bodies' own grow with a history; null if it does neither.
+  /// Lets the given displacements and loads that it takes from the scene, those of Scene::bodies excepted, follow a history.
+  /// Asked whether it is present or not. Null if it has none.
   void (*grow)(Scene& scene, const std::string& history) = nullptr;
 };
 
