@@ -18,9 +18,7 @@ using Eigen::Index;
 std::string where(const Probe& probe) {
   if (!probe.of.empty()) return text("of '", probe.of, "' of '", probe.body, "'");
   if (!probe.along.empty()) return text("along '", probe.along, "' of '", probe.body, "'");
-  const std::string place = text(probe.line ? "on a line in '" : "in '", probe.body, "'");
-  if (probe.outside.empty()) return place;
-  return text(place, ", which has ", probe.outside.size(), " of its ", probe.points.rows(), " points not");
+  return text(probe.line ? "on a line in '" : "in '", probe.body, "'");
 }
 
 /// The rows of a probe in all steps, behind their times.

@@ -176,7 +176,6 @@ TEST_CASE("a line through a hole has values where the body is, and none in the h
       "fixed = \"outer\"\npressure = { inner = 1 }\n"
       "[[probe]]\nfrom = [-1.5, 0]\nto = [2.5, 0]\npoints = 9\n",
       "name", ".");
-  CHECK(file.probes[0].outside == std::vector<Eigen::Index>{2, 3, 4, 8});
   const SolvedScene run = solved(file.scene, "ring");
   const auto columns = probed(run.model, run.solution, file.probes).front();
   const Eigen::VectorXd moved = column(columns, "displacement_x");
@@ -192,6 +191,10 @@ TEST_CASE("a line through a hole has values where the body is, and none in the h
   CHECK(moved(6) == Approx(-moved(0)));
   CHECK(moved(7) == 0);
   for (const Eigen::Index row : {0, 1, 5, 6, 7}) CHECK(mises(row) > 0);
+  // What the scene's mesh has, a finer one of a curved side may not have: that ends no run.
+  Probe gone{"gone", "ring"};
+  gone.points = Eigen::RowVector2d(0, 0);
+  CHECK(std::isnan(column(probed(run.model, run.solution, {gone}).front(), "displacement_x")(0)));
 }
 
 // Closed form: the arc length of the parabola y = x^2 from 0 to 1 is sqrt(5)/2 + asinh(2)/4.

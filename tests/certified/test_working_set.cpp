@@ -323,7 +323,10 @@ TEST_CASE("a working set is tried where the counts say that it pays, and for hel
   const Scene scene = pressed(0.4, 1e-3);
   CHECK(left_out(scene));
   CHECK(left_out(rubbed(scene, 0.2)));
-  Scene other = scene;
+  Scene other = rubbed(scene, 0.2);
+  other.contacts[0].friction->cohesion = 1e-6;
+  CHECK_FALSE(left_out(other));
+  other = scene;
   other.bodies[0].supports = {symmetric("left")};
   other.bodies[0].loads.edges.push_back({"top", 1e-6, {}});
   CHECK_FALSE(left_out(other));

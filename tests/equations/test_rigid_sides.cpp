@@ -8,6 +8,7 @@
 #include "addons/steps/steps_limit.hpp"
 #include "catch_compat.hpp"
 #include "meshes/block.hpp"
+#include "signorini/fem/strain_laws.hpp"
 #include "signorini/scene/readings.hpp"
 #include "support/message.hpp"
 
@@ -458,4 +459,35 @@ TEST_CASE("the force of a rigid side that is held is found as a share of it", "[
   CHECK(solution.contact.report.status != SolveStatus::Solved);
   REQUIRE(solution.limit.has_value());
   CHECK(*solution.limit == Approx(0.75).epsilon(1e-9));
+}
+
+// In axial symmetry no side turns, so that finite strain takes it, too: uniaxial compression of a Neo-Hookean cylinder.
+TEST_CASE("in axial symmetry a rigid side presses a body at finite strain", "[rigid-sides][finite-strain]") {
+  Scene scene = pressed_block(top(), 0.3, MeshOrder::Linear);
+  Body& body = scene.bodies[0];
+  body.mesh = block("block", {0, 0}, {3, 2}, 4, 3);
+  body.element = "q4";
+  body.material.state = PlaneState::Axial;
+  body.material.law = find_strain_law("neo_hooke");
+  body.supports = {fixed("bottom")};
+  RigidSide pressed = top();
+  pressed.y = -0.4;
+  pressed.histories.y = "press";
+  Bonds bonds;
+  bonds.rigid = {pressed};
+  scene.path = Path{equal_steps(2), {proportional("press")}};
+  Scene given = scene;
+  scene.bonds = std::make_shared<const Bonds>(bonds);
+  given.bonds = nullptr;
+  Support moved{"top", true, true, [](const Vector2d&) { return Vector2d(0, -0.4); }};
+  moved.history = "press";
+  given.bodies[0].supports.push_back(moved);
+  const auto end = [](const Scene& one) {
+    NodeArray u;
+    const PathEnd path = solve_steps(one, [&](const Model&, const Step& step) { u = step.solution.displacements[0]; });
+    CHECK(path.status == SolveStatus::Solved);
+    return u;
+  };
+  const NodeArray u = end(given);
+  CHECK((end(scene) - u).cwiseAbs().maxCoeff() <= 1e-10 * u.cwiseAbs().maxCoeff());
 }

@@ -15,7 +15,6 @@ namespace {
 using Eigen::Index, Eigen::Vector2d;
 
 constexpr double nowhere = std::numeric_limits<double>::infinity();
-constexpr double known_to = 1e-6;  // of a cell: how far outside a point may be by rounding
 
 /// How far a place is beyond the sides of the reference cell; 0 within.
 double beyond(const Element& element, const Vector2d& local) {
@@ -52,8 +51,9 @@ bool invert(const Element& element, const CellNodes& arms, Vector2d& local) {
                           place(mesh.nodes.row(nearest))));
 }
 
-/// The cell that holds a point, or else the nearest one of those whose box is near; none if no box is.
-PlaceInMesh nearest_place(const Mesh& mesh, const Element& element, const Vector2d& point) {
+}  // namespace
+
+PlaceInMesh place_in_mesh(const Mesh& mesh, const Element& element, const Vector2d& point) {
   const Element& triangle = element.corners() == 3 ? element : triangle_beside(mesh);
   PlaceInMesh found{{}, {}, nowhere};
   for (Index cell = 0; cell < mesh.n_cells() && found.outside > 0; ++cell) {
@@ -76,25 +76,12 @@ PlaceInMesh nearest_place(const Mesh& mesh, const Element& element, const Vector
   return found;
 }
 
-}  // namespace
-
-PlaceInMesh place_in_mesh(const Mesh& mesh, const Element& element, const Vector2d& point) {
-  PlaceInMesh place = nearest_place(mesh, element, point);
-  if (place.nodes.empty()) refuse(mesh, point);
-  return place;
-}
+bool is_outside(const PlaceInMesh& place) { return place.outside > 1e-6; }
 
 PlaceInMesh place_within(const Mesh& mesh, const Element& element, const Vector2d& point) {
-  PlaceInMesh place = nearest_place(mesh, element, point);
-  if (place.outside > known_to) refuse(mesh, point);
+  PlaceInMesh place = place_in_mesh(mesh, element, point);
+  if (is_outside(place)) refuse(mesh, point);
   return place;
-}
-
-std::vector<Index> points_outside(const Mesh& mesh, const Element& element, const NodeArray& points) {
-  std::vector<Index> rows;
-  for (Index k = 0; k < points.rows(); ++k)
-    if (nearest_place(mesh, element, points.row(k)).outside > known_to) rows.push_back(k);
-  return rows;
 }
 
 }  // namespace signorini

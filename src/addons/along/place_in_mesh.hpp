@@ -22,10 +22,14 @@ struct PlaceInMesh {
 /// \param mesh     of a body
 /// \param element  of its cells
 /// \param point    [length]
-/// \return the cell that holds the point, or else the one that it is beyond by the least
-/// \throws ProblemError that names the nearest node if no cell is near
+/// \return the cell that holds the point, or else the one that it is beyond by the least; no nodes, and infinitely far outside, if no cell
+///   is near
 [[nodiscard]] PlaceInMesh place_in_mesh(const Mesh& mesh, const Element& element,
                                         const Eigen::Vector2d& point);
+
+/// \param place  from place_in_mesh()
+/// \return whether its point is outside of the body by more than rounding, 1e-6 of a cell: beyond it, or in a hole
+[[nodiscard]] bool is_outside(const PlaceInMesh& place);
 
 /// The same, for a point that must be in the body.
 /// \param mesh     of a body
@@ -35,13 +39,5 @@ struct PlaceInMesh {
 /// \throws ProblemError that names the nearest node if the point is outside by more than rounding, 1e-6 of a cell
 [[nodiscard]] PlaceInMesh place_within(const Mesh& mesh, const Element& element,
                                        const Eigen::Vector2d& point);
-
-/// Points that a body does not have, as a line through a hole has some.
-/// \param mesh     of a body
-/// \param element  of its cells
-/// \param points   `n x 2` [length]
-/// \return rows of those that place_within() refuses, in increasing order
-[[nodiscard]] std::vector<Eigen::Index> points_outside(const Mesh& mesh, const Element& element,
-                                                       const NodeArray& points);
 
 }  // namespace signorini

@@ -5,7 +5,6 @@
 /// they are the same points of the material.
 #pragma once
 #include <string>
-#include <vector>
 
 #include "signorini/fem/mesh.hpp"
 
@@ -16,10 +15,7 @@ struct Probe {
   std::string name;        ///< of its own
   std::string body;        ///< name of a body
   NodeArray points = {};   ///< `n x 2` places in it [length]
-  bool line = false;       ///< whether the points stand on a line, from the first one on
-  /// Rows of points on the line that the body does not have, as in a hole, in increasing order: they have no values. Readers of scene
-  /// files fill it; any other point that is far outside is refused.
-  std::vector<Eigen::Index> outside = {};
+  bool line = false;       ///< whether the points stand on a line, from the first one on, which may leave the body
   std::string along = {};  ///< a boundary of it, node by node in walking order
   std::string of = {};     ///< a boundary of it: what acts on it in sum
 };

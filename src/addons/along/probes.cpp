@@ -63,8 +63,8 @@ class Reader {
     if (probe.along.empty()) {
       for (Index k = 0; k < probe.points.rows(); ++k) {
         const Vector2d at = probe.points.row(k);
-        const bool outside = std::binary_search(probe.outside.begin(), probe.outside.end(), k);
-        PlaceInMesh place = outside ? PlaceInMesh{} : place_in_mesh(mesh, body().element, at);
+        PlaceInMesh place = place_in_mesh(mesh, body().element, at);
+        if (probe.line && is_outside(place)) place = {};
         all.push_back({at, (probe.points.row(k) - probe.points.row(0)).norm(),
                        std::move(place.nodes), std::move(place.share)});
       }

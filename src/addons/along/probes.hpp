@@ -25,7 +25,8 @@ namespace signorini {
 /// At points and along a boundary: `distance` from the first point, along a boundary its length up to there; `x`, `y` before loading;
 /// `displacement_x`, `displacement_y` [length]; `stress_xx`, `stress_yy`, `stress_xy`, `stress_zz`, `von_mises` [force/length^2], tension
 /// positive; with contact `contact_gap`, `contact_pressure` and, with friction, `contact_shear_traction`, as PairColumn has them, where
-/// all nodes that share the place are nodes of a source. Points of Probe::outside have but `distance`, `x` and `y`. Along a boundary also the forces on its nodes, of contact on either side,
+/// all nodes that share the place are nodes of a source. Points of a line that this mesh does not have, and points far outside, have but
+/// `distance`, `x` and `y`. Along a boundary also the forces on its nodes, of contact on either side,
 /// and of supports and springs if the body has any.
 ///
 /// Of a boundary: `displacement_x`, `displacement_y`, the mean along it; force and moment about the origin of contact, supports and
@@ -36,7 +37,7 @@ namespace signorini {
 /// \param probes    of bodies of the model
 /// \param totals    after this step of a path; nothing: the solution is no step
 /// \return the columns of each probe, a value for each of its places; what means nothing at a place is not a number
-/// \throws ProblemError if a body or a boundary is not there, or a point is far outside; std::invalid_argument as pair_columns()
+/// \throws ProblemError if a body or a boundary is not there; std::invalid_argument as pair_columns()
 [[nodiscard]] std::vector<std::vector<PairColumn>> probed(
     const Model& model, const Solution& solution, const std::vector<Probe>& probes,
     const std::optional<PathTotals>& totals = {});

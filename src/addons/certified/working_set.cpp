@@ -237,7 +237,8 @@ std::optional<CertifiedSolution> grown(WorkingSet& set, const Factor& factor, co
 }  // namespace
 
 bool working_set_pays(const Plan& plan, Index rows, double operations) {
-  const bool plain = plan.modes.empty() && plan.path.times.empty() && !plan.equations && !plan.loop;
+  const bool plain = plan.modes.empty() && plan.law.cohesion.isZero(0) && plan.path.times.empty() &&
+                     !plan.equations && !plan.loop;
   const double worth = plan.law.pair.empty() ? operations : operations / 2;
   return plain && rows >= fewest_pairs && rows > paid_for(worth);
 }

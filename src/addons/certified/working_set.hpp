@@ -15,7 +15,8 @@ namespace signorini {
 /// does, if they are dense. With friction, where a pair has two rows and few are tried first, half of that is worth saving.
 /// A compliance of less than 256 rows is half a megabyte, which stays in the cache of a processor:
 /// leaving rows out of it saves nothing that could be measured. Rigid motions, equations, load steps and
-/// bodies that move look at the compliance of all pairs: their proofs speak of it, or the next load does.
+/// bodies that move look at the compliance of all pairs: their proofs speak of it, or the next load does. So does cohesion: of pairs
+/// that it may hold there is more than one solution, and which one is found should not depend on where a set begins.
 /// \param plan        of the scene, or its model
 /// \param rows        gaps and slips of the largest system, see largest_of(): those of two systems share no dense matrix
 /// \param operations  of the factor of K

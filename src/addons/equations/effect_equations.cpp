@@ -194,7 +194,7 @@ void declare_equations(const Scene& scene, Plan& draft) {
   }
   for (const RigidSide& rigid : scene.bonds->rigid) {
     add_rigid(rigid, draft, *all);
-    check_turns(scene, all->bonds.back().what);
+    if (!is_axial(draft.bodies.front())) check_turns(scene, all->bonds.back().what);
   }
   follow_histories(scene, *all, draft);
   all->matrix = matrix_of(all->rows, 2 * count_nodes(draft.bodies));

@@ -66,8 +66,10 @@ void read_probe(const Value& value, SceneDraft& scene) {
     check_mesh(body.mesh);
     return element_for(body.mesh, body.element);
   });
-  probe.outside = points_outside(body.mesh, element, probe.points);
-  if (!probe.outside.empty() && (!probe.line || probe.outside.size() == static_cast<std::size_t>(probe.points.rows())))
+  bool outside = probe.points.rows() > 0;  // all of it
+  for (Eigen::Index k = 0; k < probe.points.rows() && outside; ++k)
+    outside = is_outside(place_in_mesh(body.mesh, element, probe.points.row(k).transpose()));
+  if (outside)
     value.explain([&] {
       static_cast<void>(place_within(body.mesh, element, probe.points.row(0).transpose()));
     });
