@@ -191,6 +191,12 @@ TEST_CASE("a line through a hole has values where the body is, and none in the h
   CHECK(moved(6) == Approx(-moved(0)));
   CHECK(moved(7) == 0);
   for (const Eigen::Index row : {0, 1, 5, 6, 7}) CHECK(mises(row) > 0);
+  Probe close{"close", "ring"};
+  close.points = points_between({0.95, 0}, {1.05, 0}, 3);
+  close.line = true;
+  const Eigen::VectorXd beside = column(probed(run.model, run.solution, {close}).front(), "displacement_x");
+  CHECK(std::isnan(beside(0)));
+  CHECK(beside(1) == Approx(moved(5)));
   // What the scene's mesh has, a finer one of a curved side may not have: that ends no run.
   Probe gone{"gone", "ring"};
   gone.points = Eigen::RowVector2d(0, 0);
